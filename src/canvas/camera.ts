@@ -1,5 +1,5 @@
 import type { Vec3 } from '../math/index.ts';
-import type { FreeView, NamedView, View } from '../state/view.ts';
+import type { FreeView, NamedView, View } from '../state/camera-view.ts';
 import { along, dot, type Point, type StageUnits, unit } from './stage-units.ts';
 
 /** The camera in stage units: it looks at `target` from `distance`. */

@@ -1,6 +1,6 @@
 import type { Vec3 } from '../math/index.ts';
+import type { View } from '../state/camera-view.ts';
 import type { SceneModel } from '../state/scene-model.ts';
-import type { View } from '../state/view.ts';
 import { type Pose, poseOf } from './camera.ts';
 import { Projection } from './projection.ts';
 import { along, type Point, type StageUnits, unit } from './stage-units.ts';

@@ -1,4 +1,4 @@
-import { type FreeView, ZOOM_RANGE } from '../state/view.ts';
+import { type FreeView, ZOOM_RANGE } from '../state/camera-view.ts';
 import { Ahead } from '../ui/ahead.ts';
 import { watchDrags } from '../ui/drags.ts';
 import { wantsWheel, wheelFactor } from '../ui/wheel.ts';

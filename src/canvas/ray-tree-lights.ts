@@ -1,5 +1,11 @@
 import type { Vec3 } from '../math/index.ts';
-import { type Along, dragged, type Lens, nudged, spotOf } from '../state/picture/drag.ts';
+import {
+  arrowMove,
+  type CameraFrame,
+  type DragPlane,
+  dragged,
+  projectedPoint,
+} from '../state/picture/drag.ts';
 import type { TreeLight, TreeScene } from '../state/picture/tree-scene.ts';
 import { watchDrags } from '../ui/drags.ts';
 import { placeIn } from '../ui/zoom.ts';
@@ -61,7 +67,7 @@ export class TreeLights {
 interface Drawn {
   readonly units: StageUnits;
   readonly projection: Projection;
-  readonly model: { readonly scene: TreeScene; readonly along: Along };
+  readonly model: { readonly scene: TreeScene; readonly along: DragPlane };
 }
 
 /** Lights are dragged, and moved by arrow keys. */
@@ -71,7 +77,11 @@ export function listenToLights(
   tools: LightTools,
   signal: AbortSignal,
 ): void {
-  let held: { readonly light: TreeLight; readonly lens: Lens; readonly along: Along } | null = null;
+  let held: {
+    readonly light: TreeLight;
+    readonly frame: CameraFrame;
+    readonly along: DragPlane;
+  } | null = null;
   let pressed: string | null = null;
   const idOf = ({ target }: Event): string | null =>
     target instanceof Element
@@ -81,7 +91,7 @@ export function listenToLights(
     const now = drawn();
     const light = now?.model.scene.lights.find((one) => one.id === id);
     return now && light
-      ? { light, lens: lensOf(now.units, now.projection), along: now.model.along }
+      ? { light, frame: cameraFrameOf(now.units, now.projection), along: now.model.along }
       : null;
   };
   const drop = (isCancelled: boolean): void => {
@@ -105,11 +115,11 @@ export function listenToLights(
       },
       move(now, from) {
         if (!held) return;
-        const { light, lens } = held;
-        const spot = spotOf(lens, light.at);
+        const { light, frame } = held;
+        const spot = projectedPoint(frame, light.at);
         const [start, to] = [spotIn(from), spotIn(now)];
         const end = [spot.x + to.x - start.x, spot.y + to.y - start.y] as const;
-        const by = dragged(lens, light.at, [spot.x, spot.y], end, held.along);
+        const by = dragged(frame, light.at, [spot.x, spot.y], end, held.along);
         tools.drag(light.id, light.per === 1 ? by : short(times(by, light.per)));
       },
       end: drop,
@@ -122,11 +132,12 @@ export function listenToLights(
       const found = find(idOf(event));
       if (!found || event.ctrlKey || event.altKey || event.metaKey) return;
       if (event.key === 'Escape') return drop(true);
-      const { light, lens } = found;
-      if (!nudged(lens, event.key, 1, found.along)) return;
+      const { light, frame } = found;
+      if (!arrowMove(frame, event.key, 1, found.along)) return;
       event.preventDefault();
       event.stopPropagation();
-      const way = (step: number): Vec3 => nudged(lens, event.key, step, found.along) ?? [0, 0, 0];
+      const way = (step: number): Vec3 =>
+        arrowMove(frame, event.key, step, found.along) ?? [0, 0, 0];
       tools.press(light.id, way, event.shiftKey);
     },
     { signal },
@@ -134,7 +145,7 @@ export function listenToLights(
 }
 
 /** The view's camera in the world. */
-function lensOf({ stage }: StageUnits, projection: Projection): Lens {
+function cameraFrameOf({ stage }: StageUnits, projection: Projection): CameraFrame {
   const { width, height, focal, eye, forward, right, up } = projection;
   return {
     eye: along(stage.center, eye, stage.radius),

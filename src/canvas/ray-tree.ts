@@ -1,6 +1,6 @@
-import type { Along } from '../state/picture/drag.ts';
+import type { FreeView } from '../state/camera-view.ts';
+import type { DragPlane } from '../state/picture/drag.ts';
 import type { TreeLine, TreeScene } from '../state/picture/tree-scene.ts';
-import type { FreeView } from '../state/view.ts';
 import type { Mounted } from '../ui/mounted.ts';
 import { GlPainter } from './gl-painter.ts';
 import { ground } from './ground.ts';
@@ -37,7 +37,7 @@ export interface TreeModel {
   /** In so many ms the chosen rays grow from their starts, when they come. */
   readonly growMs: number;
   /** What drags of lights keep to. */
-  readonly along: Along;
+  readonly along: DragPlane;
 }
 
 export interface TreeTools {

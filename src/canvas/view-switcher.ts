@@ -1,5 +1,5 @@
 import type { Dispatch } from '../state/actions.ts';
-import { NAMED_VIEWS, type View } from '../state/view.ts';
+import { NAMED_VIEWS, type View } from '../state/camera-view.ts';
 
 /** The view switcher: one real button for each named view. */
 export function viewSwitcher(parent: Element, dispatch: Dispatch): (view: View) => void {

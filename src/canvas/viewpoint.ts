@@ -1,7 +1,7 @@
 import type { Stage } from '../math/drawing.ts';
 import type { Vec3 } from '../math/index.ts';
+import type { FreeView, View } from '../state/camera-view.ts';
 import type { SceneModel } from '../state/scene-model.ts';
-import type { FreeView, View } from '../state/view.ts';
 import { freeOf, type Pose } from './camera.ts';
 import { CameraTransition } from './camera-transition.ts';
 import { type Frame, framedPose } from './framing.ts';

@@ -1,8 +1,8 @@
 import { mountEmbed } from '../pages/embed/embed-view.ts';
 import { leaveKeys } from '../pages/embed/host-keys.ts';
 import { announcement } from '../state/announce.ts';
-import { closerLook } from '../state/closer-look.ts';
 import { createDerive, type FullModel } from '../state/derive.ts';
+import { exploreDetails } from '../state/explore-details.ts';
 import { type Answer, answerOf, opened } from '../state/host-messages.ts';
 import { INITIAL } from '../state/state.ts';
 import { createStore, type Store } from '../state/store.ts';
@@ -36,7 +36,7 @@ interface Shown {
 export class GrazeRay extends HTMLElement {
   static readonly observedAttributes = [...ATTRIBUTES, 'home'];
 
-  readonly #derive = createDerive(() => closerLook);
+  readonly #derive = createDerive(() => exploreDetails);
   #store: Store | null = null;
   #shown: Shown | null = null;
   #model: FullModel | null = null;

@@ -1,4 +1,4 @@
-import type { Ask } from '../state/ask.ts';
+import type { Ask } from '../state/prediction-ask.ts';
 import type { Prose } from './prose.ts';
 
 /** What a student guesses before the answer is shown. */

@@ -2,9 +2,9 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { ref } from 'lit/directives/ref.js';
 import { SHAPES } from '../math/index.ts';
 import { READY_MAPS } from '../state/accuracy/ready-maps.ts';
-import { closerLook } from '../state/closer-look.ts';
 import { createDerive } from '../state/derive.ts';
 import type { ShownExample } from '../state/example.ts';
+import { exploreDetails } from '../state/explore-details.ts';
 import type { Example } from '../state/gallery/define.ts';
 import { GALLERY } from '../state/gallery/index.ts';
 import type { SceneModel } from '../state/scene-model.ts';
@@ -58,7 +58,7 @@ function card(
   const draw = (element: Element | undefined): void => {
     if (element instanceof HTMLElement && thumbnail && element.childElementCount === 0) {
       thumbnail(element, {
-        ...createDerive(() => closerLook)({
+        ...createDerive(() => exploreDetails)({
           ...decode(example.link),
           revealed: hidden ? 0 : null,
         }).scene,

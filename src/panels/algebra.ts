@@ -17,7 +17,7 @@ import type { NumberSpace } from '../state/number-space.ts';
 import type { PutIn } from '../state/put-in.ts';
 import type { Comparison, Piece } from '../state/verdict-parts.ts';
 
-import type { VerdictWords } from '../state/words.ts';
+import type { VerdictWords } from '../state/verdict-words.ts';
 
 import { rootTexts } from '../text/apart.ts';
 

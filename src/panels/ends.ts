@@ -5,8 +5,8 @@ import type { Dispatch } from '../state/actions.ts';
 import type { ExploreModel } from '../state/derive.ts';
 import { type CapLine, flatNote } from '../state/ended.ts';
 import { CAP_NAMES, END_PARAMS, endAction, endsRefusal, someEnds } from '../state/ends.ts';
-import { startedOf } from '../state/explore-start.ts';
-import { told } from '../state/heights.ts';
+import { distinctTexts } from '../state/heights.ts';
+import { startOutcomeOf } from '../state/start-outcome.ts';
 import { encode } from '../state/url.ts';
 import { display, shortest } from '../text/format.ts';
 import '../ui/number-box.ts';
@@ -96,7 +96,7 @@ export function endsLines(model: ExploreModel, dispatch: Dispatch): unknown {
 /** What counts in the picture that the ray comes from, and the way back to its pixel. */
 function startLine(model: ExploreModel, dispatch: Dispatch): unknown {
   const { state } = model;
-  const started = startedOf(model);
+  const started = startOutcomeOf(model);
   if (!started) return nothing;
   const { pixel } = state.settings.picture;
   return html`<p class="started" role="note" data-rule=${started.rule ?? nothing}
@@ -135,6 +135,6 @@ function capLine(line: CapLine, { left, right }: Relation): TemplateResult {
 
 /** "0.7 ≤ 2.25", with the relation that holds, and as many digits as it takes to see it. */
 function compared({ left, right, side }: NonNullable<CapLine['at']>): string {
-  const [a, b] = side === 0 ? [display(left), display(right)] : told(left, right);
+  const [a, b] = side === 0 ? [display(left), display(right)] : distinctTexts(left, right);
   return `${a} ${side > 0 ? '>' : side < 0 ? '<' : '='} ${b}`;
 }

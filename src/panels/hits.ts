@@ -4,7 +4,7 @@ import type { Hit, Intersection, Vec3 } from '../math/index.ts';
 import { AXES } from '../math/shapes.ts';
 import type { ExploreModel } from '../state/derive.ts';
 import type { HitRole } from '../state/scene-model.ts';
-import type { HitWords } from '../state/words.ts';
+import type { HitWords } from '../state/verdict-words.ts';
 import { rootTexts } from '../text/apart.ts';
 import { display } from '../text/format.ts';
 import { symbol } from './formula.ts';

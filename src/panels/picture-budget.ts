@@ -1,6 +1,5 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { findMethod } from '../math/shapes.ts';
-import { lessWords } from '../state/picture/against.ts';
 import {
   BUDGET,
   type Budget,
@@ -8,6 +7,7 @@ import {
   differenceWords,
   TRIED,
 } from '../state/picture/budget.ts';
+import { lessWords } from '../state/picture/comparison.ts';
 import { grouped, msWords, percent } from '../state/picture/ledger.ts';
 import type { Spread } from '../state/picture/times.ts';
 import { type Cell, csv } from '../text/csv.ts';

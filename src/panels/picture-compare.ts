@@ -1,12 +1,12 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import type { Scene } from '../scene/types.ts';
-import { AGAINST, type Against, sideWords } from '../state/picture/against.ts';
 import {
   causeWords,
   mainOptions,
   type SideOption,
   sideOptions,
 } from '../state/picture/compare-words.ts';
+import { AGAINST, type Against, sideWords } from '../state/picture/comparison.ts';
 import { grouped, percent } from '../state/picture/ledger.ts';
 import { display, shortest } from '../text/format.ts';
 import type { Comparison } from '../tracer/compare.ts';

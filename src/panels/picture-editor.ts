@@ -5,7 +5,7 @@ import { findShape } from '../math/shapes.ts';
 import { addLight, addThing } from '../scene/edit.ts';
 import { nameIn, wordFor } from '../scene/names.ts';
 import type { Scene, Thing } from '../scene/types.ts';
-import { ALONG, type Along } from '../state/picture/drag.ts';
+import { DRAG_PLANES, type DragPlane } from '../state/picture/drag.ts';
 import {
   LIGHT_KINDS,
   LIGHT_WORDS,
@@ -30,11 +30,11 @@ export interface EditorTools {
   save(): void;
   open(): void;
   /** What drags keep to. */
-  readonly along: Along;
-  drag(along: Along): void;
+  readonly along: DragPlane;
+  drag(along: DragPlane): void;
 }
 
-const ALONG_WORDS: Readonly<Record<Along, string>> = { floor: 'the floor', wall: 'a wall' };
+const ALONG_WORDS: Readonly<Record<DragPlane, string>> = { floor: 'the floor', wall: 'a wall' };
 
 /** The shape of Explore, and what it becomes in a scene. */
 interface Explored {
@@ -63,7 +63,7 @@ export function editor(
       <button type="button" class="plain-button" @click=${tools.open}>Open a scene</button>
     </p>
     <fieldset class="drag-along"><legend>Shapes and lights are dragged in the picture, only lights
-      among the rays of a pixel, along</legend>${ALONG.map(
+      among the rays of a pixel, along</legend>${DRAG_PLANES.map(
         (along) =>
           html`<label><input type="radio" name="drag-along" .checked=${live(
             tools.along === along,

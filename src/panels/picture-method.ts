@@ -3,7 +3,7 @@ import { METHODS } from '../math/index.ts';
 import type { Dispatch } from '../state/actions.ts';
 import { BOUNCES } from '../state/picture/bounces.ts';
 import { changed, type PictureSettings } from '../state/picture/settings.ts';
-import { readStart, START_TEXTS, startText, startWords } from '../state/picture/start.ts';
+import { readStartRule, START_TEXTS, startText, startWords } from '../state/picture/start-rule.ts';
 import './picture-method.css';
 
 /** Which method answers every question, and where rays that leave a surface begin. */
@@ -60,7 +60,7 @@ function startRow(current: string, dispatch: Dispatch): TemplateResult {
         (text) =>
           html`<option value=${text}
             ?selected=${text === current}>${
-              START_WORDS[text] ?? startWords(readStart(text))
+              START_WORDS[text] ?? startWords(readStartRule(text))
             }</option>`,
       )}
     </select>

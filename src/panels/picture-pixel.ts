@@ -1,8 +1,8 @@
 import { html, nothing, svg, type TemplateResult } from 'lit';
 import { exploreLink } from '../state/explore-link.ts';
 import type { PixelRay } from '../state/picture/camera-lines.ts';
-import { type SurfaceStep, surfaceSteps } from '../state/picture/hit-steps.ts';
 import type { RootFate } from '../state/picture/root-fates.ts';
+import { type SurfaceStep, surfaceSteps } from '../state/picture/surface-steps.ts';
 import { RAY_WORDS, type TreeRow } from '../state/picture/tree-rows.ts';
 import { display, shortest } from '../text/format.ts';
 import type { RayKind } from '../tracer/types.ts';
@@ -168,7 +168,7 @@ function openLink(row: TreeRow, method: string, words: string): TemplateResult |
 /** The algebra of the surface where the chosen ray ends, by the method that traced it. */
 function algebraOf(row: TreeRow, left: TreeRow | undefined, model: PixelModel): TemplateResult {
   const { node } = row;
-  const steps = row.shape ? surfaceSteps(row.shape, row.meeting, model.method) : null;
+  const steps = row.shape ? surfaceSteps(row.shape, row.rootFilter, model.method) : null;
   return html`<section class="hit-algebra" aria-label="Algebra of the chosen ray">
     ${
       steps
@@ -200,7 +200,7 @@ function rootLine({ index, t, fate, words }: RootFate): TemplateResult {
 
 function stepLine(
   { step, numbers, put }: SurfaceStep,
-  { shape, ray, meeting: { between } }: TreeRow,
+  { shape, ray, rootFilter: { between } }: TreeRow,
   method: string,
 ): TemplateResult {
   const { id, letter, expr, worked, value, why: derive } = step;

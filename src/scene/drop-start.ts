@@ -1,8 +1,8 @@
 import type { Answers } from '../math/batch.ts';
 
 /**
- * Replaces by NaN the root at which a ray starts, among the answers of `both`: the root nearest to 0,
- * of two equally near ones the positive one, by the method's rounded roots. The same rule as in
+ * Replaces by NaN the root at which a ray starts, among the answers of `both`: the root nearest to
+ * 0, of two equally near ones the positive one, by the method's rounded roots. The same rule as in
  * math/leaving-ray.ts.
  */
 export function dropStart({ t0, t1 }: Answers, count: number): void {

@@ -1,10 +1,10 @@
 import type { Shape, Vec3 } from '../math/index.ts';
-import type { Ask } from './ask.ts';
+import type { View } from './camera-view.ts';
 import type { Between } from './heights.ts';
 import type { Tangent } from './nearest-tangent.ts';
+import type { Ask } from './prediction-ask.ts';
 import type { AppState, PageId, Settings } from './state.ts';
 import type { TypedTexts } from './typed-texts.ts';
-import type { View } from './view.ts';
 
 /**
  * A new value, or a function that makes it from the value at the moment when the action arrives.

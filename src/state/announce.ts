@@ -4,10 +4,10 @@ import { withArticle } from '../text/article.ts';
 import { display, displayTriple } from '../text/format.ts';
 import { subscript } from '../text/scripts.ts';
 import { spokenName } from '../text/spoken.ts';
+import { NAMED_VIEWS } from './camera-view.ts';
 import type { ExploreModel } from './derive.ts';
 import { CAP_NAMES } from './ends.ts';
 import { paramValue } from './state.ts';
-import { NAMED_VIEWS } from './view.ts';
 
 /**
  * What a listener should hear of a change: the value first, the consequence second. "r 1.2. The ray
@@ -61,7 +61,7 @@ function changedValues(before: ExploreModel, after: ExploreModel): string {
     .join(' ');
 }
 
-/** The shape's ends, where they are others now. */
+/** The shape's ends, if they have changed. */
 function endsSpoken({ state: a }: ExploreModel, { state: b, found, title }: ExploreModel): string {
   const isSame = a.between === b.between && a.caps === b.caps;
   if (isSame || found.details.family !== 'curved') return '';
@@ -73,7 +73,7 @@ function endsSpoken({ state: a }: ExploreModel, { state: b, found, title }: Expl
   return [...lows, ...highs, ...caps].join(' ');
 }
 
-/** Where the scene is looked at from, when that is all that has changed. */
+/** The camera's view, if it has changed. */
 function viewed({ state: { view: old } }: ExploreModel, { state: { view } }: ExploreModel): string {
   if (view === old) return '';
   if (typeof view === 'string') {
@@ -130,7 +130,7 @@ function consequence(before: ExploreModel, after: ExploreModel): string {
   return `${lead} ${after.verdict.text}${hits ? `, ${hits}` : ''}. ${news}`.trim();
 }
 
-/** What the numbers as typed say, where that is something else, and what is to be known of them. */
+/** The verdict for the numbers as typed, if it is another one, and notes on these numbers. */
 function typedSpoken({ asTyped: { differs, notes } }: ExploreModel): string {
   const typed = differs ? [`As typed: ${differs.typed.text}.`] : [];
   return [...typed, ...notes].join(' ');

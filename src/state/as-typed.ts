@@ -15,16 +15,13 @@ import {
   valuesOf,
 } from './typed-values.ts';
 import type { Piece } from './verdict-parts.ts';
-import { textOf, type VerdictWords, verdictWords } from './words.ts';
+import { textOf, type VerdictWords, verdictWords } from './verdict-words.ts';
 
-/**
- * What is to be said where the numbers that were typed and the doubles that store them are not the
- * same.
- */
+/** How the typed numbers differ from the doubles that store them. */
 export interface AsTyped {
   /** Null where both give the same case. */
   readonly differs: Difference | null;
-  /** What else is to be known of the typed numbers, sentence by sentence. */
+  /** Sentences on the typed numbers: hints, and what was rounded. */
   readonly notes: readonly string[];
 }
 
@@ -110,7 +107,7 @@ function inUnits(words: VerdictWords, length: number): VerdictWords {
   return { ...words, pieces, text: textOf(pieces) };
 }
 
-/** Sizes aside: how far outside a point is may well differ in the last digits. */
+/** Whether both have the same words, without regard to the values of numbers in them. */
 function sameCase(a: VerdictWords, b: VerdictWords): boolean {
   const said = ({ relations, pieces }: VerdictWords): string =>
     JSON.stringify([relations, pieces.map((p) => (typeof p === 'string' ? p : p.quantity))]);

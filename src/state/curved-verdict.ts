@@ -14,14 +14,18 @@ import {
   TWO,
 } from './verdict-table.ts';
 
-interface Said {
+interface CurvedVerdict {
   readonly relations: readonly Comparison[];
   readonly text: string;
 }
 
 const LETTERS = { A: 'A', B: 'B', C: 'C', D: 'D' };
 
-export function curvedVerdict(found: Intersection, details: CurvedDetails, naming: Naming): Said {
+export function curvedVerdict(
+  found: Intersection,
+  details: CurvedDetails,
+  naming: Naming,
+): CurvedVerdict {
   const { signs } = details;
   const compared = (relation: '<' | '>'): Comparison[] => [{ left: 'D', relation, right: '0' }];
   const opens = signs.A === -1 ? '-' : '+';

@@ -15,7 +15,7 @@ import { type Between, heightsText, whyCut } from './heights.ts';
 import type { HitRole } from './scene-model.ts';
 import { sidesOf } from './sides.ts';
 
-/** A way of the line through a cap, as seen from E along the ray. */
+/** A hit on a cap, in words as seen from E along the ray. */
 export interface CapHit {
   readonly end: End;
   readonly hit: Hit;
@@ -24,7 +24,7 @@ export interface CapHit {
   readonly text: string;
 }
 
-/** Where the line goes through the plane of a cap, whether through the cap or beside it. */
+/** The point where the line crosses the plane of a cap, on the cap or beside it. */
 export interface CapLine {
   readonly end: End;
   readonly height: number;
@@ -43,11 +43,11 @@ export interface CapLine {
   readonly text: string;
 }
 
-/** What a curved shape's ends make of the roots of the whole surface. */
+/** The hits that remain of a curved shape with ends, and what became of each root. */
 export interface Ended {
   readonly between: Between;
   readonly caps: boolean;
-  /** All that is met, ascending. */
+  /** All hits, ascending in t. */
   readonly hits: readonly Hit[];
   readonly fates: readonly { readonly t: number; readonly fate: Fate }[];
   /** By root: why it is cut off; null where it is not. */
@@ -79,7 +79,7 @@ interface EndHit {
 /** Which end a cap's normal belongs to. */
 const endOf = ({ normal }: Hit): End => (normal[1] > 0 ? 'high' : 'low');
 
-/** What is met at all heights, ascending, with the sign of t: of a cap by its exact difference. */
+/** The hits in order of t, each with the exact sign of its t. */
 function metBy(hits: readonly Hit[], whole: Intersection, ray: Ray, between: Between): EndHit[] {
   const sides = sidesOf(whole);
   let next = 0;
@@ -243,7 +243,7 @@ function placeAt<T>(
   };
 }
 
-/** What is known of heights that a flat shape was opened with: as in a scene, which may cut it. */
+/** A note for a flat shape that was opened with heights from a scene, which would cut it. */
 export function flatNote(name: string, between: Between, found: Intersection): string {
   const cuts = found.hits.flatMap(({ point }) => {
     const [low, high] = between;

@@ -10,7 +10,7 @@ import {
   inOne,
   MINUS,
 } from '../text/format.ts';
-import type { Exactly } from './exactly.ts';
+import type { ExactResult } from './exact-result.ts';
 
 const DIGITS = 6;
 /** The largest and the smallest positive double, as texts. */
@@ -39,7 +39,7 @@ export function shownResult(
   id: string,
   value: number,
   found: Pick<Intersection, 'decidedBy'>,
-  { quantities }: Exactly,
+  { quantities }: ExactResult,
 ): ShownResult {
   const exactly = quantities[id];
   if (exactly === undefined) return { text: null, beside: null };
@@ -59,7 +59,7 @@ const isOutOfRange = (value: number, exactly: Surd): boolean =>
 export function rangeNote(
   { steps }: Pick<Derivation, 'steps'>,
   found: Intersection,
-  { quantities }: Exactly,
+  { quantities }: ExactResult,
 ): string | null {
   const over = steps.filter(({ value }) => value !== null && !Number.isFinite(value));
   const under = steps.filter(({ id, value }) => {
@@ -108,7 +108,7 @@ export function exactParts(a: Surd): DisplayParts {
 }
 
 /** The distance of two roots that are the same in six digits; null for other roots. */
-export function rootGap(found: Intersection, exactly: Exactly): string | null {
+export function rootGap(found: Intersection, exactly: ExactResult): string | null {
   const [first, second] = found.hits;
   if (!first || !second || display(first.t) !== display(second.t)) return null;
   const { A, D } = exactly.quantities;

@@ -43,7 +43,7 @@ export function exampleOf(state: AppState): ShownExample | null {
   return { entry, number: at + 1, of: examples.length, changed };
 }
 
-/** Key of what an example is about: ray, shape and method, without view and bead. */
+/** A text that identifies ray, shape and method, without view and bead. */
 function valuesOf(state: AppState): string {
   const { view, bead, settings, revealed, ask, derive } = INITIAL;
   return encode({ ...state, page: 'explore', view, bead, settings, revealed, ask, derive });

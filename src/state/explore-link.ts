@@ -3,8 +3,8 @@ import type { Between } from './heights.ts';
 import { INITIAL } from './state.ts';
 import { encode } from './url.ts';
 
-/** What of a question goes with it to Explore, besides shape and ray. */
-interface Travels {
+/** Values of a link to Explore besides shape and ray. */
+interface ExploreLinkOptions {
   readonly between?: Between | null;
   readonly caps?: boolean;
   /** The start rule of a ray of a picture, as its link writes it. */
@@ -18,7 +18,7 @@ export function exploreLink(
   shape: Shape,
   ray: Ray,
   method: string,
-  { between = null, caps = false, start, derive }: Travels = {},
+  { between = null, caps = false, start, derive }: ExploreLinkOptions = {},
 ): string {
   const { origin: E, direction: d } = ray;
   return encode({

@@ -7,7 +7,7 @@ import { decode, encode, MAX_KEYS } from './url.ts';
 /**
  * A saved state: its link, and the shapes and other pages' settings that the link does not carry.
  */
-interface Saved {
+interface SavedState {
   readonly graze: 1;
   readonly link: string;
   readonly shapes: readonly Shape[];
@@ -19,24 +19,24 @@ interface Saved {
 export function toFile(state: AppState): string {
   const { shapes, settings, typed } = state;
   const link = encode(state);
-  const saved: Saved = { graze: 1, link, shapes: Object.values(shapes), settings, typed };
+  const saved: SavedState = { graze: 1, link, shapes: Object.values(shapes), settings, typed };
   // JSON has no minus zero: written as a number it would come back as 0.
   return `${JSON.stringify(saved, (_, x) => (Object.is(x, -0) ? '-0' : x), 2)}\n`;
 }
 
-type Opened =
+type OpenedState =
   | { readonly ok: true; readonly state: AppState }
   | { readonly ok: false; readonly reason: string };
 
 /** The state in a file of any origin. What cannot be read is left out and reported. */
-export function fromFile(text: string): Opened {
+export function fromFile(text: string): OpenedState {
   let data: unknown;
   try {
     data = JSON.parse(text, (_, x) => (x === '-0' ? -0 : x));
   } catch {
     return { ok: false, reason: `${quote(text.slice(0, 30))} is not a saved state` };
   }
-  const { graze, link, shapes, settings, typed } = (data ?? {}) as Partial<Saved>;
+  const { graze, link, shapes, settings, typed } = (data ?? {}) as Partial<SavedState>;
   if (graze !== 1 || typeof link !== 'string') {
     return { ok: false, reason: 'this file holds no state of Graze' };
   }

@@ -11,7 +11,7 @@ import { sideOfPlane } from './sides.ts';
 import { type Comparison, cannotDecide, type Piece, zero } from './verdict-parts.ts';
 import { type Sides, STRETCH, sideKey, WHERE } from './verdict-table.ts';
 
-interface Said {
+interface FlatVerdict {
   readonly relations: readonly Comparison[];
   readonly pieces: readonly Piece[];
 }
@@ -23,7 +23,7 @@ export function flatVerdict(
   shape: Shape,
   ray: Ray,
   given?: Values<TypedNumber>,
-): Said {
+): FlatVerdict {
   const { plane, offset, rate, signs } = details;
   if (found.class === 'undecided') {
     return { relations: [], pieces: [cannotDecide({ offset, rate }, signs, LETTERS)] };

@@ -33,7 +33,7 @@ export interface GraphModel {
     readonly f: number;
     readonly point: readonly [number, number, number];
   };
-  /** Where f turns, how high it is there, and how far from there its roots lie (NaN for none). */
+  /** The vertex of f, and the distance of the roots from it in t (NaN without roots). */
   readonly square?: { readonly t: number; readonly f: number; readonly half: number };
   /** Coefficients of f for the ghost, and its roots; null without one. */
   readonly ghost: {
@@ -45,8 +45,8 @@ export interface GraphModel {
   /** Where the first hit was expected, at the bead; absent and null where that is not asked. */
   readonly mark?: MarkModel | null;
   /**
-   * The roots at other values of a number that played: `above` is how much larger the value is than
-   * the present one, in parts of its way. And f where the class changes.
+   * For a number that played: the roots at its other values, and f where the class changes. `above`
+   * is the value minus the present one, in parts of the whole sweep.
    */
   readonly trail?: {
     readonly roots: readonly { readonly t: number; readonly above: number }[];

@@ -4,9 +4,9 @@ import { display } from '../text/format.ts';
 import type { Ended } from './ended.ts';
 import { CAP_NAMES } from './ends.ts';
 import type { GraphModel } from './graph-model.ts';
+import { graphWindowOf, restingBead } from './graph-window.ts';
 import { hitsLeft, stretchesOf } from './stretches.ts';
-import { graphWindowOf, restingBead } from './window.ts';
-import { type HitWords, hitSentences, hitWords } from './words.ts';
+import { type HitWords, hitSentences, hitWords } from './verdict-words.ts';
 
 /** The graph of f over the window, with the stretches of the ray and the bead. */
 export function graphOf(
@@ -39,7 +39,7 @@ export function graphOf(
     caps: (ended?.capHits ?? []).map(({ end, hit, role }) => ({
       end,
       t: hit.t,
-      // Where a number of f overflows, on the axis.
+      // On the axis if f overflows.
       f: f(hit.t) || 0,
       role,
     })),

@@ -3,7 +3,7 @@ import { askedAt, type Progress, readAsked } from '../check/progress.ts';
 import { plan, studentSeed } from '../check/session.ts';
 import { isSet } from '../check/sets.ts';
 import { InvalidInput } from '../math/index.ts';
-import { packed, unpacked } from './packed.ts';
+import { packed, unpacked } from './packed-text.ts';
 
 /*
  * A hand-in as a code, a text that mail, forms and QR codes carry: graze1.PACKED.CHECK, where
@@ -54,7 +54,7 @@ function checkOf(body: string): string {
   return letters.padStart(CHECK_LENGTH, '0').slice(-CHECK_LENGTH);
 }
 
-/** What mail puts into a long line: a break, blanks, the marks of a quotation. */
+/** Characters that mail programs insert into a long line: breaks, blanks, quotation marks. */
 const BREAK = '(?:=?\\s[\\s>]*)?';
 const CODE = new RegExp(
   `graze1\\.${BREAK}((?:[\\w-]${BREAK})+)\\.${BREAK}` +
@@ -62,7 +62,7 @@ const CODE = new RegExp(
   'g',
 );
 
-/** The codes in a text, each without what mail has put into it. */
+/** The codes in a text, each without the characters that mail programs have inserted. */
 export function codesIn(text: string): string[] {
   return [...text.matchAll(CODE)].map(([, body = '', check = '']) => {
     const plain = (part: string): string => part.replace(/[=\s>]+/g, '');

@@ -37,7 +37,7 @@ interface HandleBase {
   readonly tangency: Tangency | null;
 }
 
-/** A point of the scene that goes where it is dragged. */
+/** A handle for a point or a direction. */
 export interface PointHandle extends HandleBase {
   readonly type: 'point';
   readonly at: Vec3;
@@ -92,7 +92,7 @@ export function handlesOf({ shape, E, d, unit, ray, drawing }: HandleInput): Han
 /** Handles for the ends of a shape, where its axis is at their heights. */
 export function heightHandles(shape: Shape, between: Between, stage: Stage): ReachHandle[] {
   const [x, , z] = definitionOf(shape).anchor(shape).at;
-  // A reach is not negative: it is counted from far below all that can be dragged to.
+  // A reach may not be negative: it is measured from a point below every height of the stage.
   const base = Math.min(between[0], stage.low) - 16 * stage.radius;
   if (!between.every((y) => Number.isFinite(y - base))) return [];
   return END_PARAMS.map(({ symbol, title, step }, i) => {

@@ -5,7 +5,7 @@ import type { AppState } from './state.ts';
 import { decode, encode } from './url.ts';
 
 /*
- * What a page says to the frame that Graze is in, and what Graze says to it (docs/EMBEDDING.md).
+ * Messages between Graze in a frame and its host page (docs/EMBEDDING.md).
  * Every message is an object with `graze: 1` and a `type`; anything else is ignored.
  */
 
@@ -24,12 +24,12 @@ export type ToHost =
   | { readonly type: 'score'; readonly right: number; readonly asked: number }
   | { readonly type: 'error'; readonly reason: string };
 
-/** What is told of a state: its link's query, the class and the roots; while hidden, neither. */
+/** A state for the host: its link's query, and unless results are hidden the class and roots. */
 export interface Answer {
   readonly state: string;
   readonly class: string | null;
   readonly t: readonly number[];
-  /** Of a shape with ends: what is met at which t, ascending, and whether it is hit, cut or cap. */
+  /** Of a shape with ends: every root and cap in order of t, and its fate. */
   readonly fates?: readonly { readonly t: number; readonly fate: Fate }[];
 }
 
@@ -56,11 +56,11 @@ export function readMessage(data: unknown, page: string): FromHost | { error: st
   };
 }
 
-/** Of the host's object nothing is called, not even its toString. */
+/** Describes a value without calling any function of it, not even toString. */
 const kindOf = (value: unknown): string =>
   value === null || typeof value !== 'object' ? quote(value) : 'an object';
 
-/** What a host's link leaves as it was: what is shown, what is locked, the theme. */
+/** The state of a host's link; embed, lock and theme stay if the link does not have them. */
 export function opened(link: string, now: AppState): AppState {
   const next = decode(link, now);
   const says = (key: string): boolean => new RegExp(`[?&]${key}=`).test(link);

@@ -12,7 +12,7 @@ import type { Ray, Shape } from '../math/index.ts';
 import { definitionOf, nextDown, nextUp } from '../math/shapes.ts';
 import { display } from '../text/format.ts';
 import { exactText } from './exact-digits.ts';
-import type { Exactly } from './exactly.ts';
+import type { ExactResult } from './exact-result.ts';
 import type { Handle } from './handles.ts';
 import type { Tangency, Value } from './snap.ts';
 
@@ -37,7 +37,7 @@ const SMALL = 1e-6;
 export function nearTangent(
   shape: Shape,
   ray: Ray,
-  exactly: Exactly,
+  exactly: ExactResult,
   handles: readonly Handle[],
 ): NearTangent | null {
   const { details, hits } = exactly.found;
@@ -52,7 +52,9 @@ export function nearTangent(
   const gap = distanceToSurface(shape, ray, exactly);
   const apart = hits.length === 2 && exactly.quantities.A ? rootsApart(exactly) : null;
   const how =
-    gap === null ? '' : `; exactly, it ${DEEDS[`${signs.D} ${signs.A}`]} ${display(gap, 2)}`;
+    gap === null
+      ? ''
+      : `; exactly, it ${WORDS_BY_SIGNS[`${signs.D} ${signs.A}`]} ${display(gap, 2)}`;
   const between = apart ? `, t₂ − t₁ = ${apart}` : '';
   const text = `touches as nearly as doubles can: D = ${shortly(exactD)}${how}${between}`;
   return {
@@ -64,15 +66,15 @@ export function nearTangent(
 /** Outside of this range exact numbers are too long to evaluate all neighbours at every step. */
 const isOrdinary = (x: number): boolean => x === 0 || (Math.abs(x) < 1e50 && Math.abs(x) > 1e-50);
 
-/** What the line does at its nearest point, by the signs of D and A. */
-const DEEDS: Readonly<Record<string, string>> = {
+/** Words for the line at its point nearest to the surface, by the signs of D and A. */
+const WORDS_BY_SIGNS: Readonly<Record<string, string>> = {
   '-1 1': 'misses by',
   '-1 -1': 'stays inside by',
   '1 1': 'goes in by',
   '1 -1': 'comes out by',
 };
 
-function rootsApart({ quantities: { A, D } }: Exactly): string | null {
+function rootsApart({ quantities: { A, D } }: ExactResult): string | null {
   if (!A || !D) return null;
   return shortly(exact.div(exact.sqrt(D), exact.sign(A) < 0 ? exact.neg(A) : A));
 }
@@ -111,7 +113,11 @@ const LINEAR = 1e-3;
  * f = −D/4A, in exact arithmetic up to the last rounding. That is the first term of a series in f.
  * Null if the second term is larger than `LINEAR` times the first, as near a vertex.
  */
-export function distanceToSurface(shape: Shape, ray: Ray, { quantities }: Exactly): number | null {
+export function distanceToSurface(
+  shape: Shape,
+  ray: Ray,
+  { quantities }: ExactResult,
+): number | null {
   const { A, B, D } = quantities;
   const formula = definitionOf(shape).formula(shape);
   if (!A || !B || !D || formula.family !== 'curved') return null;

@@ -35,13 +35,21 @@ export function nearestTangent(state: AppState): Tangent | null {
   const place = at.map((c, i) => (origin[i] ?? 0) - c + t * (direction[i] ?? 0));
   if (!place.every(Number.isFinite)) return null;
   for (const [bits, legs] of TRIES) {
-    const found = touching(shape, circleNear, place as unknown as Vec3, t, direction, bits, legs);
+    const found = tangentNear(
+      shape,
+      circleNear,
+      place as unknown as Vec3,
+      t,
+      direction,
+      bits,
+      legs,
+    );
     if (found && isNear(state, shape, found) && isTangent(found)) return found;
   }
   return null;
 }
 
-function touching(
+function tangentNear(
   shape: Shape,
   circleNear: CircleNear<Shape>,
   [x, y, z]: Vec3,

@@ -8,7 +8,7 @@ export interface NumberSpace {
   readonly lines: number;
   /** Smaller type over the whole width of the panel, broken between pieces if need be. */
   readonly long: boolean;
-  /** On the next line, not behind the formula. */
+  /** On the line after the formula. */
   readonly below: boolean;
 }
 

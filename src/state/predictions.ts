@@ -4,11 +4,11 @@ import type { Answers, Input } from '../check/types.ts';
 import { work } from '../check/work.ts';
 import { display } from '../text/format.ts';
 import { subscript } from '../text/scripts.ts';
-import type { Ask } from './ask.ts';
 import type { ExploreModel } from './derive.ts';
 import { endedOf } from './ended.ts';
 import { CAP_NAMES } from './ends.ts';
-import { hiddenReach } from './hidden.ts';
+import { hiddenReach } from './hidden-results.ts';
+import type { Ask } from './prediction-ask.ts';
 
 /** An answer: the id of an option, or t of the mark on the ray. */
 export type Guess = string | number;
@@ -156,7 +156,7 @@ function same(guess: Guess, truth: Guess | null, byHand: number): boolean {
   return Math.abs(guess - truth) <= Math.max(NEAR * Math.abs(truth), byHand);
 }
 
-/** What a hand that puts a mark on the drawn ray may be off. */
+/** Error in t that a hand makes in placing a mark on the drawn ray. */
 function handOf({ shape, ray }: Input): number {
   const { from, to } = hiddenReach(shape, ray);
   return BY_HAND * (to - from);
@@ -186,7 +186,7 @@ export function judgementOf(question: Question, guess: Guess, model: ExploreMode
     right,
     truth,
     gap: question.gap(guess, truth, found, length),
-    // Formulas with a mistake know of no ends.
+    // Formulas with a mistake are about the whole surface, without ends.
     mistake:
       right || model.ended
         ? null
@@ -196,7 +196,7 @@ export function judgementOf(question: Question, guess: Guess, model: ExploreMode
   };
 }
 
-/** What is seen first where a shape has ends, by exact arithmetic: the answers of the rest stay. */
+/** The answers with the first hit of a shape with ends, by exact arithmetic. */
 function leftOf(found: Answers, { ended, ray, shape, exactly, state }: ExploreModel): Answers {
   if (!ended) return found;
   const truly = endedOf(shape, ray, exactly.found, exactly.found, state.between, state.caps);

@@ -16,8 +16,8 @@ import {
 import type { Intersection } from '../math/index.ts';
 import { ALL_DIGITS } from '../text/format.ts';
 import { exactText, shownResult } from './exact-digits.ts';
-import type { Exactly } from './exactly.ts';
-import { rootsOf } from './window.ts';
+import type { ExactResult } from './exact-result.ts';
+import { rootsOf } from './graph-window.ts';
 
 /** How a formula is written with numbers put in for its symbols. */
 export interface PutIn {
@@ -120,7 +120,11 @@ export function valuesAsResults(values: readonly number[], A: number | undefined
 }
 
 /** The results of a step's line: its value, or for t the roots. */
-export function resultsOf({ id, value }: Step, found: Intersection, exactly: Exactly): Result[] {
+export function resultsOf(
+  { id, value }: Step,
+  found: Intersection,
+  exactly: ExactResult,
+): Result[] {
   if (value !== null) {
     return [{ value, text: shownResult(id, value, found, exactly).text, branch: 1 }];
   }
@@ -149,7 +153,7 @@ export function conditionDigits(
     const [a, b] = sides(digits);
     return a != null && b != null && isAtMost(a, b) === holds;
   };
-  // Of a norm only the value is shown.
+  // For a norm the page shows the value without the formula.
   const sides = (digits: number): (Ratio | null)[] =>
     relation.left.op === 'norm'
       ? [left, right].map((x) => (Number.isFinite(x) ? asPrinted(x, digits) : null))

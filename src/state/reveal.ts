@@ -27,8 +27,8 @@ export function shownLines(
 }
 
 /**
- * While it is not known whether there is a t, its line stands as for every ray: that it is there,
- * and how it reads where A or D is 0, would tell.
+ * The derivation with the general line of t while that line is hidden: the line of this ray, or its
+ * absence, would show the class.
  */
 export function knownLines(derivation: Derivation, shown: number): Derivation {
   const before = derivation.steps.filter(({ id }) => id !== derivation.unknown.id);

@@ -3,12 +3,12 @@ import type { Intersection, Ray, Shape } from '../math/index.ts';
 import { definitionOf } from '../math/shapes.ts';
 import { cutDrawing, endPoints } from './cut-drawing.ts';
 import type { Ended } from './ended.ts';
-import type { Exactly } from './exactly.ts';
+import type { ExactResult } from './exact-result.ts';
 import { graphOf } from './graph.ts';
 import type { GraphModel } from './graph-model.ts';
 import { handlesOf, heightHandles } from './handles.ts';
 import { heightsText } from './heights.ts';
-import { withoutResults, withoutRoots } from './hidden.ts';
+import { withoutResults, withoutRoots } from './hidden-results.ts';
 import { memoise } from './memoise.ts';
 import { type NearTangent, nearTangent } from './near-tangent.ts';
 import { nearestTangent, type Tangent } from './nearest-tangent.ts';
@@ -17,10 +17,10 @@ import type { SceneModel } from './scene-model.ts';
 import { sameStage, stageAround, stageOf } from './stage.ts';
 import type { AppState } from './state.ts';
 import type { Piece } from './verdict-parts.ts';
-import type { VerdictWords } from './words.ts';
+import type { VerdictWords } from './verdict-words.ts';
 
 /** How near the ray is to tangency, and a search for a ray that touches; null if there is none. */
-export interface Near extends NearTangent {
+export interface NearTangency extends NearTangent {
   readonly find: ((state: AppState) => Tangent | null) | null;
 }
 
@@ -30,7 +30,7 @@ interface SceneAndGraphInput {
   readonly title: string;
   readonly ray: Ray;
   readonly found: Intersection;
-  readonly exactly: Exactly;
+  readonly exactly: ExactResult;
   readonly ended: Ended | null;
   /** Whether the hits are shown. */
   readonly shown: boolean;
@@ -42,14 +42,14 @@ export interface SceneAndGraph {
   readonly graph: GraphModel;
   readonly scene: SceneModel;
   /** Where the numbers cannot be set any nearer to tangency. */
-  readonly near: Near | null;
-  /** In other words where the ray is as near to tangency as its numbers can be. */
+  readonly near: NearTangency | null;
+  /** The given verdict, or that of a ray as near to tangency as doubles allow, or with ends. */
   readonly verdict: VerdictWords;
 }
 
 /**
- * What scene and graph show, with a memory of its own. `fixed`: the part of the world to show,
- * null for what the ray calls for.
+ * A function to the models of scene and graph, with a cache of its own. `fixed` returns the stage
+ * to show; null for the stage that fits the ray.
  */
 export function createSceneAndGraph(
   fixed: () => Stage | null = () => null,
@@ -91,10 +91,10 @@ export function createSceneAndGraph(
     (
       shape: Shape,
       ray: Ray,
-      exactly: Exactly,
+      exactly: ExactResult,
       held: ReturnType<typeof handlesOf>,
       state: AppState,
-    ): Near | null => {
+    ): NearTangency | null => {
       const near = nearTangent(shape, ray, exactly, held);
       return near && { ...near, find: nearestTangent(state) && nearestTangent };
     },

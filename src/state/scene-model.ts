@@ -1,7 +1,7 @@
 import type { Drawing, Patch, Stage } from '../math/drawing.ts';
 import type { Vec3 } from '../math/index.ts';
+import type { View } from './camera-view.ts';
 import type { Handle } from './handles.ts';
-import type { View } from './view.ts';
 
 /**
  * How a stretch of the ray is drawn: behind E, on the way to a hit, inside, or after the last hit.

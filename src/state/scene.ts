@@ -3,16 +3,16 @@ import type { Intersection, Ray, Vec3 } from '../math/index.ts';
 import { withArticle } from '../text/article.ts';
 import { display, displayTriple } from '../text/format.ts';
 import { subscript } from '../text/scripts.ts';
+import type { View } from './camera-view.ts';
 import type { Ended } from './ended.ts';
 import { CAP_NAMES } from './ends.ts';
 import { pointAt } from './graph.ts';
 import type { GraphModel } from './graph-model.ts';
+import { rootsOf, windowOf } from './graph-window.ts';
 import type { Handle } from './handles.ts';
 import type { GhostModel, HitMark, RaySegment, SceneModel } from './scene-model.ts';
 import { distance, isDrawn } from './stage.ts';
-import type { View } from './view.ts';
-import { rootsOf, windowOf } from './window.ts';
-import { hitSentences, hitWords } from './words.ts';
+import { hitSentences, hitWords } from './verdict-words.ts';
 
 interface Parts {
   /** What the shape is, and the case in words. */

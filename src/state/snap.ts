@@ -74,7 +74,7 @@ export function nearestOn(x: number, step: number): number {
   return Number.isFinite(rounded) && Math.abs(rounded - x) <= step ? rounded + 0 : x;
 }
 
-/** The discriminant for a value. */
+/** The exact discriminant for a value. */
 export interface Probe {
   /** Null if the shape has no discriminant, or the value is not allowed. */
   readonly sign: Sign | null;

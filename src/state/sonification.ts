@@ -1,8 +1,8 @@
 import type { GraphModel } from './graph-model.ts';
 
 /*
- * f along the ray, to be heard: t goes evenly from E to the end of the graph. f(t) is a pitch
- * against a steady tone of the same kind, which it meets where f is 0.
+ * f along the ray as sound: t goes evenly from E to the end of the graph. f(t) is a pitch beside a
+ * steady reference tone, which it equals where f is 0.
  */
 
 /** The steady tone, Hz: A below middle C. */

@@ -6,7 +6,7 @@ import { definitionOf } from '../math/shapes.ts';
  * The stage at the scale of the sliders, used while the shape is within `reach` of its centre and
  * everything together is larger than `tiny`; all in world units.
  */
-const HAND = { center: [0, 1.2, 0] as Vec3, radius: 5, reach: 10, tiny: 0.05 };
+const SLIDER_STAGE = { center: [0, 1.2, 0] as Vec3, radius: 5, reach: 10, tiny: 0.05 };
 /** A point farther away than this many stage radii is left out, and the page says so. */
 const FAR = 8;
 /** Heights between which an unbounded surface is drawn, in stage radii from the centre. */
@@ -30,12 +30,12 @@ export function stageAround(shape: Shape, places: readonly Vec3[]): Stage {
   const anchor = definitionOf(shape).anchor(shape);
   const points = places.filter((p) => p.every(Number.isFinite));
   const spread = Math.max(anchor.size, ...points.map((p) => distance(p, anchor.at)));
-  const atHand =
-    distance(anchor.at, HAND.center) <= HAND.reach &&
-    anchor.size <= FAR * HAND.radius &&
-    spread >= HAND.tiny;
-  const center = atHand ? HAND.center : anchor.at;
-  const own = atHand ? HAND.radius : ownScale(anchor, points);
+  const onSliderScale =
+    distance(anchor.at, SLIDER_STAGE.center) <= SLIDER_STAGE.reach &&
+    anchor.size <= FAR * SLIDER_STAGE.radius &&
+    spread >= SLIDER_STAGE.tiny;
+  const center = onSliderScale ? SLIDER_STAGE.center : anchor.at;
+  const own = onSliderScale ? SLIDER_STAGE.radius : ownScale(anchor, points);
   const seen = points.map((p) => pulledIn(p, center, FAR * own));
   const needed = [
     distance(anchor.at, center) + anchor.size,
@@ -73,7 +73,7 @@ function pointsToShow({ origin, direction }: Ray, { hits, details }: Intersectio
 function ownScale(anchor: { at: Vec3; size: number }, points: readonly Vec3[]): number {
   if (anchor.size > 0 && Number.isFinite(anchor.size)) return 1.5 * anchor.size;
   const near = points.map((p) => distance(p, anchor.at)).filter((d) => d > 0 && d < Infinity);
-  return near.length > 0 ? 1.2 * Math.min(...near) : HAND.radius;
+  return near.length > 0 ? 1.2 * Math.min(...near) : SLIDER_STAGE.radius;
 }
 
 /** A stage with room for what others about the same centre show. */

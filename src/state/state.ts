@@ -1,10 +1,10 @@
 import { walkLength } from '../math/formula.ts';
 import { type Ray, SHAPES, type Shape, type Vec3 } from '../math/index.ts';
 import { DEFAULT_METHOD, type Param, type ShapeKind, unitVector } from '../math/shapes.ts';
-import type { Ask } from './ask.ts';
+import type { View } from './camera-view.ts';
 import type { LinkTheme, Part } from './embed.ts';
 import type { Between } from './heights.ts';
-import type { View } from './view.ts';
+import type { Ask } from './prediction-ask.ts';
 
 export interface PageEntry {
   readonly id: string;
@@ -38,7 +38,7 @@ export type Settings = Readonly<Record<string, string>>;
 export interface AppState {
   readonly page: PageId;
   readonly kind: ShapeKind;
-  /** Every shape as it was left, so that coming back to one finds it unchanged. */
+  /** The parameters of every shape, which stay while another shape is shown. */
   readonly shapes: Readonly<Record<ShapeKind, Shape>>;
   readonly E: Vec3;
   /** The direction as entered; with `unit` the kernel gets d / |d| instead. */
@@ -52,7 +52,7 @@ export interface AppState {
   readonly bead: number | null;
   /** Heights between which a curved shape is kept; null for all of it. A flat one is whole. */
   readonly between: Between | null;
-  /** Whether discs close it there; false without heights. */
+  /** Whether discs close the shape at these heights; false without heights. */
   readonly caps: boolean;
   /** The settings of each page as it was left. */
   readonly settings: Readonly<Record<PageId, Settings>>;

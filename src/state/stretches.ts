@@ -54,7 +54,7 @@ function planeCut({ details }: Intersection): number[] {
   return details.family === 'flat' && details.plane ? [details.plane.t] : [];
 }
 
-/** What is met, ascending: all roots, or those that are not cut off and the caps. */
+/** t of every hit, ascending: all roots; with ends, the roots that are not cut off and the caps. */
 export const hitsLeft = ({ hits }: Intersection, ended: Ended | null): number[] =>
   ended
     ? ended.fates.flatMap(({ t, fate }) => (fate === 'cut' ? [] : [t]))

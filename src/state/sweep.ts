@@ -16,20 +16,20 @@ import type { Action } from './actions.ts';
 import { type AppState, paramValue, RAY_PARAMS, rayOf, shapeOf } from './state.ts';
 
 /*
- * One number goes there and back, through the places where the class changes: E.x, c, r. What is
- * shown on the way is a state like any other; the state itself stays where it is.
+ * A sweep plays one number (E.x, c, r) up, down and back, through the values where the class
+ * changes. The drawn states are computed from the store's state, which does not change meanwhile.
  */
 
 /** A value at which the certified class, or the sign of A or N·d, changes. */
 interface Boundary {
-  /** One with a root, where doubles have both. */
+  /** Of the two neighbouring doubles the one with a root, if one has. */
   readonly value: number;
   /** What is 0 there, and whether it is that at `value` itself. */
   readonly what: string;
   readonly isExact: boolean;
 }
 
-/** What is exactly so at a value. */
+/** The exact class and signs at a value. */
 interface Case {
   readonly value: number;
   readonly key: string;
@@ -39,7 +39,7 @@ interface Case {
   readonly isStraight: boolean;
 }
 
-/** What the chosen method shows there. */
+/** The result of the chosen method at a value. */
 export interface Sample extends Pick<Case, 'value' | 'key' | 'zero'> {
   /** Its verdict. */
   readonly verdict: string;
@@ -48,7 +48,7 @@ export interface Sample extends Pick<Case, 'value' | 'key' | 'zero'> {
   readonly f: readonly [A: number, B: number, C: number];
 }
 
-/** The way of one number. */
+/** The values that one number goes through. */
 export interface Sweep {
   /** 'E.x', 'c'. */
   readonly label: string;
@@ -67,11 +67,11 @@ export interface Sweep {
 const SAMPLES = 120;
 /** Part of a slider's step that a number moves by while it plays. */
 const FINE = 10;
-/** Beyond a boundary: this part of the way there, and steps of the slider at least. */
+/** How far a sweep goes past a boundary: a share of the way there, at least some slider steps. */
 const BEYOND = { share: 0.4, steps: 4 };
-/** So many times farther than the boundary on the other side is too far to play to. */
+/** A boundary this many times farther than the one on the other side is left out. */
 const FARTHER = 4;
-/** From one end of the way to the other, and a rest at each boundary. */
+/** Duration from one end to the other, and of the pause at each boundary. */
 const [WAY_MS, REST_MS] = [3200, 600];
 /** Halvings until two doubles are neighbours. */
 const HALVINGS = 1100;
@@ -125,7 +125,7 @@ export function withNumber(state: AppState, label: string, value: number): AppSt
   return { ...state, shapes: { ...state.shapes, [shape.kind]: changed }, typed };
 }
 
-/** What makes a number of the state this value. */
+/** The action that sets a number of the state to this value. */
 export function toNumber(state: AppState, label: string, value: number): Action | null {
   const place = placeOf(state, label);
   if (!place) return null;
@@ -205,7 +205,7 @@ const multiples = (from: number, to: number, step: number): number[] => {
   return Array.from({ length: Math.max(count, 0) + 1 }, (_, i) => onGrid(from + i * step, step));
 };
 
-/** A short number, as a slider's are. */
+/** The nearest multiple of the step, as a short decimal. */
 const onGrid = (value: number, step: number): number =>
   Number((Math.round(value / step) * step).toPrecision(12)) + 0;
 
@@ -243,7 +243,7 @@ function changeBetween(
   return [{ boundary, beside: [low.value, high.value] }];
 }
 
-/** A figure's rim or edge is where nothing is 0 on the way from a hit to none. */
+/** Words for the boundary between two cases; a rim or edge if no sign changes. */
 function whatIn(low: Case, high: Case): string {
   const zero = low.zero ?? high.zero;
   if (zero) return zero;
@@ -290,7 +290,7 @@ function words(label: string, low: number, high: number, all: readonly Boundary[
   return at.length > 0 ? `${way}: ${at.join(', ')}` : way;
 }
 
-/** On the way, in short numbers, but at its ends and at the boundaries exactly. */
+/** A value of the sweep as a short decimal; home and boundaries keep all digits. */
 export function playedAt(
   { home, low, high, boundaries }: Sweep,
   value: number,

@@ -33,7 +33,7 @@ export interface TypedValue extends TypedNumberSlot {
 }
 
 export const typedNumbers = (given: EnteredInput): TypedValue[] =>
-  [...rayPlaces(given), ...shapePlaces(given.shape)].map((place) => meant(place, given));
+  [...rayPlaces(given), ...shapePlaces(given.shape)].map((place) => typedValue(place, given));
 
 /** Whether exact values differ from what the kernel gets, and none came out of a computation. */
 export const isTyped = (all: readonly TypedValue[], { unit }: EnteredInput): boolean =>
@@ -61,12 +61,12 @@ export function typedValues(given: EnteredInput): Values<Surd> | null {
 }
 
 /**
- * Most digits of a decimal that somebody is assumed to have typed: doubles tell all decimals of 15
- * digits apart.
+ * Most digits of a number that counts as typed: all decimals of 15 digits are different doubles. A
+ * longer one comes from a computation.
  */
 const TYPED_DIGITS = 15;
 
-function meant(place: TypedNumberSlot, { texts }: EnteredInput): TypedValue {
+function typedValue(place: TypedNumberSlot, { texts }: EnteredInput): TypedValue {
   const { key, value } = place;
   const written = texts[key];
   const stored = fromNumber(value);

@@ -9,6 +9,7 @@ import {
   type EndsValue,
   type ParamValue,
 } from './actions.ts';
+import { isView } from './camera-view.ts';
 import { allExamples, exampleOf } from './example.ts';
 import type { Tangent } from './nearest-tangent.ts';
 import {
@@ -23,7 +24,6 @@ import {
 } from './state.ts';
 import { retyped, type TypedTexts, untyped } from './typed-texts.ts';
 import { decode } from './url.ts';
-import { isView } from './view.ts';
 
 /**
  * The next state. An action whose value is not allowed changes nothing; the control that sent it
@@ -54,7 +54,7 @@ function isLocked(state: AppState, next: AppState): boolean {
   );
 }
 
-/** Notes the example that a link showed, so that it is known after a change. */
+/** Stores the id of the example that a link showed, which is needed after a change. */
 function kept(state: AppState, next: AppState): AppState {
   if (state.example !== null || next.example !== null) return next;
   const example = exampleOf(state);
@@ -101,7 +101,7 @@ function updated(state: AppState, action: Action): AppState {
     case 'browse':
       return openExample(state, neighbour(exampleOf(state)?.entry.id ?? state.example, action.by));
     case 'reveal':
-      // A bead that stands where the line meets the shape would tell what is asked.
+      // The bead's place may be a hit, which would give the answer away.
       return {
         ...(state.revealed === null && action.lines === 0 ? withBead(state, null) : state),
         revealed: action.lines,

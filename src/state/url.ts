@@ -12,9 +12,10 @@ import {
 } from '../math/shapes.ts';
 import { parseNumber } from '../text/parse.ts';
 import type { ParamValue } from './actions.ts';
-import { type Ask, isAsk } from './ask.ts';
+import { isView, type View } from './camera-view.ts';
 import { LINK_THEMES, type LinkTheme, listOf, PARTS, type Part } from './embed.ts';
 import type { Between } from './heights.ts';
+import { type Ask, isAsk } from './prediction-ask.ts';
 import {
   type AppState,
   INITIAL,
@@ -35,7 +36,6 @@ import {
   shapePlaces,
   type TypedNumberSlot,
 } from './typed-texts.ts';
-import { isView, type View } from './view.ts';
 
 /** Writes and reads the text of one key. `read` throws InvalidInput that quotes the text. */
 interface Codec<V> {

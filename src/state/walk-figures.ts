@@ -83,7 +83,7 @@ function aboutN(model: FullModel, { unit: isUnit, facing }: NormalChoice): Scene
   const figure = about && normalFigure(shape, about.hit, scene.stage);
   const near = scene.hits.filter(({ normal, drawn: isDrawn }) => normal && isDrawn);
   const lengths = near.map(({ normal }) => Math.hypot(...(normal ?? [0, 0, 0])));
-  // In their proportions, where they would leave the picture or not be seen in it.
+  // Scaled together if the longest would leave the picture, or the shortest be invisible.
   const shrunk = scaleFor([1, ...lengths], scene.stage.radius);
   const long = (length: number): number | null => (isUnit ? length * shrunk : null);
   const arrows = near.flatMap(({ index, point, normal }): NormalArrow[] => {

@@ -5,8 +5,8 @@ import { AXES } from '../math/shapes.ts';
 import type { FigureLine } from './scene-model.ts';
 
 /*
- * Why N: near a hit, the level surfaces F = ±k, the tangent plane, and how far each coordinate has
- * to be nudged, with the others held, until F is k.
+ * The figure that explains N: near a hit, the level surfaces F = ±k, the tangent plane, and the
+ * change of each coordinate alone that makes F equal to k.
  */
 
 export interface NormalFigure {
@@ -78,7 +78,7 @@ function onTangent(level: Level, { point, normal }: Hit, stage: Stage): NormalFi
   };
 }
 
-/** Where N is zero F has no term in s: it is ±k at √(±k/A) from there, where that exists. */
+/** The figure where N is zero: F has no linear term and is ±k at distance √(±k/A), if real. */
 function aroundVertex(level: Level, { point }: Hit, stage: Stage): NormalFigure | null {
   const reach = REACH.stage * stage.radius;
   const most = Math.max(...AXES.map((_, i) => Math.abs(level.along(point, axisOf(i)).A)));
@@ -102,7 +102,7 @@ function aroundVertex(level: Level, { point }: Hit, stage: Stage): NormalFigure 
   };
 }
 
-/** A level surface that ends somewhere, as it has no edge of its own. */
+/** A patch of a level surface; its borders are no edges of that surface. */
 function patchOf(at: (u: number, v: number) => Vec3, level: Level, closed: boolean): Patch {
   return {
     at,
@@ -142,13 +142,13 @@ function nudgesAt(level: Level, point: Vec3, k: number, most: number): FigureLin
   });
 }
 
-/** Along one axis to F = k, as F goes by its slope; null where that is 0, or F turns before. */
+/** Distance along one axis to F = k; null where the slope of F is 0, or F does not reach k. */
 function nudge(level: Level, point: Vec3, i: number, k: number): number | null {
   const line = level.along(point, axisOf(i));
   return line.B === 0 ? null : stepTo({ ...line, C: 0 }, k);
 }
 
-/** F near a point where it is 0; far from the origin F itself has lost its digits. */
+/** F at `at`, computed from a point where F is 0: this keeps its digits far from the origin. */
 function valueFrom(level: Level, zero: Vec3, at: Vec3): number {
   const { A, B } = level.along(zero, plus(at, scaled(zero, -1)));
   return A + B;

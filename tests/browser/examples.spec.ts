@@ -2,8 +2,8 @@ import type { Page } from '@playwright/test';
 import { type Frame, framedPose } from '../../src/canvas/framing.ts';
 import { Projection } from '../../src/canvas/projection.ts';
 import { SceneLines } from '../../src/canvas/scene-lines.ts';
-import { closerLook } from '../../src/state/closer-look.ts';
 import { createDerive } from '../../src/state/derive.ts';
+import { exploreDetails } from '../../src/state/explore-details.ts';
 import { GALLERY } from '../../src/state/gallery/index.ts';
 import { decode } from '../../src/state/url.ts';
 import { byTurns } from '../unit/many.ts';
@@ -83,7 +83,7 @@ const framed = (page: Page): Promise<{ frame: Frame; words: Placed[] }> =>
     return { frame: { width: host.clientWidth, height: host.clientHeight, scale }, words };
   });
 
-const derive = createDerive(() => closerLook);
+const derive = createDerive(() => exploreDetails);
 
 /** The words that the ray is drawn behind, from E on; the line behind E is faint. */
 function behindOf(link: string, frame: Frame, words: readonly Placed[]): string[] {

@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
-import { closerLook } from '../../src/state/closer-look.ts';
 import { createDerive } from '../../src/state/derive.ts';
+import { exploreDetails } from '../../src/state/explore-details.ts';
 import { EXPORTS } from '../../src/state/exports/index.ts';
 import { GALLERY } from '../../src/state/gallery/index.ts';
 import { decode } from '../../src/state/url.ts';
@@ -50,7 +50,7 @@ test('GLSL compiles in WebGL2, for every example', async ({ page }) => {
   const curved = '#/explore?shape=cone&between=-1,2&caps=1';
   const programs = [...GALLERY, { id: 'ends', link: curved }].map(({ id, link }) => [
     id,
-    glsl?.text(createDerive(() => closerLook)(decode(link))) ?? '',
+    glsl?.text(createDerive(() => exploreDetails)(decode(link))) ?? '',
   ]);
   const faults = await page.evaluate((list) => {
     const gl = document.createElement('canvas').getContext('webgl2');

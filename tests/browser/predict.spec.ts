@@ -1,9 +1,9 @@
 import { readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
-import { ASKS } from '../../src/state/ask.ts';
-import { closerLook } from '../../src/state/closer-look.ts';
 import { createDerive } from '../../src/state/derive.ts';
+import { exploreDetails } from '../../src/state/explore-details.ts';
 import { GALLERY } from '../../src/state/gallery/index.ts';
+import { ASKS } from '../../src/state/prediction-ask.ts';
 import { PAGES } from '../../src/state/state.ts';
 import { decode } from '../../src/state/url.ts';
 import { display, shortest } from '../../src/text/format.ts';
@@ -27,7 +27,7 @@ const LINK = '#/explore?shape=cylinder&C=0,1,0&r=1.5&E=4,2,1&d=-1,-0.25,-0.25&me
  * so, for where something is measured, which may by chance be the same to three digits.
  */
 function resultsOf(link: string, inFull = false): string[] {
-  const { found, derivation, ray, shape, scene } = createDerive(() => closerLook)(decode(link));
+  const { found, derivation, ray, shape, scene } = createDerive(() => exploreDetails)(decode(link));
   const given = new Set(JSON.stringify([ray, shape, scene.stage]).match(NUMBERS)?.map(Number));
   const results = [
     ...derivation.steps.flatMap(({ value }) => value ?? []),

@@ -1,7 +1,7 @@
 import type { Page } from '@playwright/test';
 import { commandsOf } from '../../src/pages/commands.ts';
-import { closerLook } from '../../src/state/closer-look.ts';
 import { createDerive } from '../../src/state/derive.ts';
+import { exploreDetails } from '../../src/state/explore-details.ts';
 import type { GraphModel } from '../../src/state/graph-model.ts';
 import { REFERENCE_HZ, type Score, scoreOf } from '../../src/state/sonification.ts';
 import { INITIAL, PAGES } from '../../src/state/state.ts';
@@ -84,7 +84,7 @@ test('every command says what it did, or moves the focus', async ({ page }) => {
     const { sound } = window as unknown as { sound: OfflineAudioContext };
     return [...(await sound.startRendering()).getChannelData(0)];
   });
-  heardAsWritten(samples, createDerive(() => closerLook)(decode(HEARD, INITIAL)).graph);
+  heardAsWritten(samples, createDerive(() => exploreDetails)(decode(HEARD, INITIAL)).graph);
 });
 
 /** What a command says, or what has got the focus. */

@@ -1,7 +1,7 @@
 import type { Page } from '@playwright/test';
 import type { Vec3 } from '../../src/math/vec3.ts';
-import { closerLook } from '../../src/state/closer-look.ts';
 import { createDerive } from '../../src/state/derive.ts';
+import { exploreDetails } from '../../src/state/explore-details.ts';
 import { INITIAL } from '../../src/state/state.ts';
 import { decode } from '../../src/state/url.ts';
 import { shortest } from '../../src/text/format.ts';
@@ -57,7 +57,7 @@ function differences(hash: string, shown: readonly [string, string][]): string |
 
 /** Every number that is said of a link, by the math module itself. */
 function quantitiesOf(hash: string): Map<string, string> {
-  const model = createDerive(() => closerLook)(decode(hash, INITIAL));
+  const model = createDerive(() => exploreDetails)(decode(hash, INITIAL));
   const found = new Map<string, string>();
   const put = (name: string, x: number): void => {
     found.set(name, shortest(x));

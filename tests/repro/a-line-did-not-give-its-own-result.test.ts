@@ -1,11 +1,11 @@
 import { expect, test } from 'vitest';
-import { closerLook } from '../../src/state/closer-look.ts';
 import { createDerive } from '../../src/state/derive.ts';
 import { rangeNote, shownResult } from '../../src/state/exact-digits.ts';
+import { exploreDetails } from '../../src/state/explore-details.ts';
 import { derivationLatex } from '../../src/state/exports/latex.ts';
 import { decode } from '../../src/state/url.ts';
 
-const model = (query: string) => createDerive(() => closerLook)(decode(`#/explore?${query}`));
+const model = (query: string) => createDerive(() => exploreDetails)(decode(`#/explore?${query}`));
 
 /* c = 1/3: line B stood there with 0.33, and 2 · 0.33² … is not −5.48889. */
 test('two digits of c do not give B', () => {

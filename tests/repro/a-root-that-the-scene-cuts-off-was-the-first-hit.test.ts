@@ -1,10 +1,10 @@
 import { describe, expect, test } from 'vitest';
 import { sixShapes } from '../../src/scene/presets/six-shapes.ts';
 import type { Scene } from '../../src/scene/types.ts';
-import { closerLook } from '../../src/state/closer-look.ts';
 import { createDerive } from '../../src/state/derive.ts';
+import { exploreDetails } from '../../src/state/explore-details.ts';
 import { exploreLink } from '../../src/state/explore-link.ts';
-import { surfaceSteps } from '../../src/state/picture/hit-steps.ts';
+import { surfaceSteps } from '../../src/state/picture/surface-steps.ts';
 import { treeRows } from '../../src/state/picture/tree-rows.ts';
 import { INITIAL } from '../../src/state/state.ts';
 import { update } from '../../src/state/update.ts';
@@ -48,20 +48,20 @@ describe.each([
   });
 
   test('the algebra calls the tracer’s hit the first', () => {
-    const roots = row.shape && surfaceSteps(row.shape, row.meeting, 'certified')?.roots;
+    const roots = row.shape && surfaceSteps(row.shape, row.rootFilter, 'certified')?.roots;
     expect(roots?.map(({ fate }) => fate)).toEqual(['cut', 'hit']);
     expect(roots?.[1]?.t).toBe(hit);
     expect(roots?.[1]?.words).toContain('first hit, leaves');
   });
 
   test('Explore has the same ends, and keeps them', () => {
-    const { shape, ray, meeting } = row;
+    const { shape, ray, rootFilter: meeting } = row;
     if (!shape) throw new Error('a shape was expected');
     const state = decode(exploreLink(shape, ray, 'certified', { between: meeting.between }));
     expect(state.problems).toEqual([]);
     expect(state.between).toEqual(meeting.between);
     expect(decode(encode(state)).between).toEqual(meeting.between);
-    const { hits, verdict } = createDerive(() => closerLook)(state);
+    const { hits, verdict } = createDerive(() => exploreDetails)(state);
     expect(hits.map(({ role }) => role)).toEqual(['cut', 'first']);
     expect(hits[0]?.text).toMatch(/^cut off: y = \S+ > \S+$/);
     expect(verdict.text).toMatch(/^uncut, two points.*; cut at .*: t₁ is cut off, first hit t₂$/);

@@ -6,8 +6,8 @@ import { rayHandles, shapeHandles } from '../../src/panels/params-of.ts';
 import { addThing, changeThing } from '../../src/scene/edit.ts';
 import { EFFECTS } from '../../src/scene/effects/index.ts';
 import type { Scene } from '../../src/scene/types.ts';
-import { closerLook } from '../../src/state/closer-look.ts';
 import { createDerive } from '../../src/state/derive.ts';
+import { exploreDetails } from '../../src/state/explore-details.ts';
 import { newThing, withParam } from '../../src/state/picture/edits.ts';
 import { pictureSettings } from '../../src/state/picture/settings.ts';
 import { INITIAL, paramValue, shapeOf } from '../../src/state/state.ts';
@@ -62,7 +62,7 @@ test.each(SHAPES.map(({ kind }) => kind))(
   (kind) => {
     const store = createStore({ ...INITIAL, kind });
     // Made of one drawing of the page, and used until the end.
-    const drawn = createDerive(() => closerLook)(store.get());
+    const drawn = createDerive(() => exploreDetails)(store.get());
     const handles = [...rayHandles(drawn, store.dispatch), ...shapeHandles(drawn, store.dispatch)];
     const vectors = handles.filter(({ param }) => param.type === 'vector');
     const wanted = (i: number): number => 0.25 + i;

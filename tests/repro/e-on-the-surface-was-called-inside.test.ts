@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import { intersect } from '../../src/math/index.ts';
-import { verdictWords } from '../../src/state/words.ts';
+import { verdictWords } from '../../src/state/verdict-words.ts';
 
 /*
  * A ray that starts on a cylinder and leaves it: "E is inside, the ray leaves" stood beside t₂ = 0.

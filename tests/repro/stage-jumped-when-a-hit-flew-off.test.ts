@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
-import { closerLook } from '../../src/state/closer-look.ts';
 import { createDerive } from '../../src/state/derive.ts';
+import { exploreDetails } from '../../src/state/explore-details.ts';
 import { decode } from '../../src/state/url.ts';
 
 /*
@@ -9,7 +9,7 @@ import { decode } from '../../src/state/url.ts';
  * forgotten: the radius fell from 43.2 to 5 at once.
  */
 test('the stage lets go of a hit as gradually as it followed it', () => {
-  const derive = createDerive(() => closerLook);
+  const derive = createDerive(() => exploreDetails);
   const radiusAt = (dy: number): number =>
     derive(decode(`#/explore?shape=cone&d=-0.8,${dy},-0.3`)).scene.stage.radius;
   const steps = Array.from({ length: 801 }, (_, i) => radiusAt(1.515 + (0.02 * i) / 800));

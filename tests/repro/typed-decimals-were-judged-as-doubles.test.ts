@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
-import { closerLook } from '../../src/state/closer-look.ts';
 import { createDerive } from '../../src/state/derive.ts';
+import { exploreDetails } from '../../src/state/explore-details.ts';
 import { decode, encode } from '../../src/state/url.ts';
 
 /*
@@ -39,7 +39,7 @@ test.each([
   ],
 ])('%s', (_, pairs, typed, because, stored) => {
   const state = decode(`#/explore?${pairs}&method=certified`);
-  const { asTyped, verdict } = createDerive(() => closerLook)(state);
+  const { asTyped, verdict } = createDerive(() => exploreDetails)(state);
   expect(asTyped.differs).toMatchObject({
     because,
     typed: { text: typed },
@@ -50,6 +50,6 @@ test.each([
 });
 
 test('an angle in radians was read without a word', () => {
-  const { asTyped } = createDerive(() => closerLook)(decode('#/explore?shape=cone&c=tan(30)'));
+  const { asTyped } = createDerive(() => exploreDetails)(decode('#/explore?shape=cone&c=tan(30)'));
   expect(asTyped.notes[0]).toBe('c: tan is taken in radians; tan(30 deg) in degrees.');
 });

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
-import { closerLook } from '../../src/state/closer-look.ts';
 import { createDerive } from '../../src/state/derive.ts';
+import { exploreDetails } from '../../src/state/explore-details.ts';
 import { decode } from '../../src/state/url.ts';
 
 /*
@@ -14,7 +14,7 @@ test.each([
   ],
   ['f(0)', 'shape=hyperboloid&C=0,0,0&a=1e308&r=0&E=0,0,0&d=0,0,0.1&method=textbook32'],
 ])('%s', (_, query) => {
-  const { verdict, graph, scene, hits } = createDerive(() => closerLook)(
+  const { verdict, graph, scene, hits } = createDerive(() => exploreDetails)(
     decode(`#/explore?${query}`),
   );
   const said = [verdict.text, graph.description, scene.description, ...hits.map((h) => h.text)];

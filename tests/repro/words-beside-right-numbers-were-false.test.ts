@@ -1,18 +1,18 @@
 import { expect, test } from 'vitest';
-import { closerLook } from '../../src/state/closer-look.ts';
 import { createDerive } from '../../src/state/derive.ts';
+import { exploreDetails } from '../../src/state/explore-details.ts';
 import { GALLERY } from '../../src/state/gallery/index.ts';
 import { INITIAL } from '../../src/state/state.ts';
 import { decode } from '../../src/state/url.ts';
 
-const open = (link: string) => createDerive(() => closerLook)(decode(`#/explore?${link}`));
+const open = (link: string) => createDerive(() => exploreDetails)(decode(`#/explore?${link}`));
 const verdict = (link: string) => open(link).verdict.text;
 const graph = (link: string) => open(link).graph.stretches.map(({ place }) => place);
 
 /* "The textbook formula says it misses" stood beside "D = 0, tangent: one double root". */
 test('what a caption says of the textbook formula is what it gives', () => {
   const far = GALLERY.find(({ id }) => id === 'cylinder-far');
-  const model = createDerive(() => closerLook)(decode(far?.link ?? ''));
+  const model = createDerive(() => exploreDetails)(decode(far?.link ?? ''));
   expect([far?.answer.includes('textbook formula says that it misses'), model.found.class]).toEqual(
     [true, 'none'],
   );

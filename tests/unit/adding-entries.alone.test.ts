@@ -145,7 +145,7 @@ describe('a misconception', async () => {
 });
 
 describe('an example of the gallery', async () => {
-  const { closerLook } = await import('../../src/state/closer-look.ts');
+  const { exploreDetails: closerLook } = await import('../../src/state/explore-details.ts');
   const { createDerive } = await import('../../src/state/derive.ts');
   const { exampleOf, provideExamples, titleOf } = await import('../../src/state/example.ts');
   const { decode } = await import('../../src/state/url.ts');

@@ -35,8 +35,8 @@ import { sixShapes } from '../../src/scene/presets/six-shapes.ts';
 import { surfacesOf } from '../../src/scene/surfaces.ts';
 import type { Scene } from '../../src/scene/types.ts';
 import { validateScene } from '../../src/scene/validate.ts';
-import { closerLook } from '../../src/state/closer-look.ts';
 import { createDerive } from '../../src/state/derive.ts';
+import { exploreDetails } from '../../src/state/explore-details.ts';
 import { EXPORTS } from '../../src/state/exports/index.ts';
 import { newThing, thingWords } from '../../src/state/picture/edits.ts';
 import { initialShape, shapeOf } from '../../src/state/state.ts';
@@ -286,7 +286,7 @@ describe('Check', () => {
 describe('Explore', () => {
   const ray = `E=4,1,0.125&d=-1,0.125,0&method=${METHOD}`;
   const link = `#/explore?shape=${KIND}&C=0.5,1,-0.25&r=1.25&${ray}`;
-  const model = createDerive(() => closerLook)(decode(link));
+  const model = createDerive(() => exploreDetails)(decode(link));
 
   test('a link opens it, and the state makes the same link', () => {
     const state = decode(link);
@@ -301,7 +301,9 @@ describe('Explore', () => {
     expect(model.found).toEqual(intersect(toy([0.5, 1, -0.25], 1.25), shapeRay(link), METHOD));
     expect(model.verdict.text).not.toMatch(/undefined|null|NaN/);
     const along = decode(`#/explore?shape=${KIND}&d=0,1,0&E=9,0,0`);
-    expect(createDerive(() => closerLook)(along).verdict.text).not.toMatch(/undefined|null|NaN/);
+    expect(createDerive(() => exploreDetails)(along).verdict.text).not.toMatch(
+      /undefined|null|NaN/,
+    );
   });
 
   describe.each(EXPORTS.map((one) => [one.id, one] as const))('export %s', (_, { text }) => {

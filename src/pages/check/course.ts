@@ -58,7 +58,7 @@ export async function joinCourse(
     set({ part: 'questions', set: course.set, seed: course.seed, who, question: place });
   if (connection) {
     const kept = untoldOf(learner);
-    connection.untaken?.restore(kept.statements);
+    connection.unsent?.restore(kept.statements);
     latest =
       sessionIn(kept.state, course, who) ?? sessionIn(connection.state, course, who) ?? latest;
     const { total } = reportNow(connection);
@@ -77,14 +77,14 @@ export async function joinCourse(
     keep(problem ? report.state : '');
     changed();
   };
-  const waiting = (): readonly unknown[] => connection?.untaken?.now() ?? [];
+  const waiting = (): readonly unknown[] => connection?.unsent?.now() ?? [];
   const untakenNow = () => {
     const { length: count } = waiting();
     return { count, isKept: untoldOf(learner).statements.length === count };
   };
   const keep = (state: string): void => keepUntold({ learner, state, statements: waiting() });
   if (connection) {
-    if (connection.untaken?.owed(reportNow(connection))) void tell(null);
+    if (connection.unsent?.isOpen(reportNow(connection))) void tell(null);
     document.addEventListener('visibilitychange', () => {
       if (document.visibilityState === 'hidden' && untold) void tell(null);
     });

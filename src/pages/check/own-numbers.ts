@@ -5,15 +5,15 @@ import type { Input } from '../../check/types.ts';
 import { ownNumbers } from '../../panels/check-own.ts';
 import { controls } from '../../panels/controls.ts';
 import { shapePicker } from '../../panels/shape-picker.ts';
-import { closerLook } from '../../state/closer-look.ts';
 import { createDerive } from '../../state/derive.ts';
+import { exploreDetails } from '../../state/explore-details.ts';
 import { type AppState, rayOf, shapeOf } from '../../state/state.ts';
 import { typedValues } from '../../state/typed-values.ts';
 import type { LeftPart, PartContext } from './part.ts';
 
 /** A student's own derivation for the ray and shape of the link, which are Explore's. */
 export function createOwn({ memory, dispatch, changed }: PartContext): LeftPart {
-  const derive = createDerive(() => closerLook);
+  const derive = createDerive(() => exploreDetails);
   let texts: Texts = memory.own();
   let input: Input | null = null;
   let typed: AppState['typed'] | null = null;

@@ -1,15 +1,15 @@
 import type { Answers, Input } from '../../check/types.ts';
 import { evaluateTriple, float64, POINT, valuesOf, withScalars } from '../../math/formula.ts';
 import { intersect, type Shape, type Vec3 } from '../../math/index.ts';
-import { closerLook } from '../../state/closer-look.ts';
+import type { View } from '../../state/camera-view.ts';
 import { endPoints } from '../../state/cut-drawing.ts';
 import { createDerive } from '../../state/derive.ts';
-import { sceneBefore } from '../../state/scene-before.ts';
+import { exploreDetails } from '../../state/explore-details.ts';
 import type { GhostModel, HitMark, SceneModel } from '../../state/scene-model.ts';
+import { sceneWithoutResults } from '../../state/scene-without-results.ts';
 import { isDrawn } from '../../state/stage.ts';
 import { type AppState, INITIAL } from '../../state/state.ts';
 import { encode } from '../../state/url.ts';
-import type { View } from '../../state/view.ts';
 import { display, displayTriple } from '../../text/format.ts';
 import { subscript } from '../../text/scripts.ts';
 
@@ -52,7 +52,7 @@ export interface Wanted {
 
 /** Makes the scene of one picture, with a cache of its own. */
 export function createPicture(): (wanted: Wanted) => SceneModel {
-  const derive = createDerive(() => closerLook);
+  const derive = createDerive(() => exploreDetails);
   const framed = ({ shape, between }: Input) => (between ? endPoints(shape, between) : []);
   let last: Wanted | null = null;
   let before: SceneModel | null = null;
@@ -84,7 +84,7 @@ export function createPicture(): (wanted: Wanted) => SceneModel {
 function unsolved(wanted: Wanted): SceneModel {
   const { input, answers, note, view } = wanted;
   const points = answers ? pointsOf(input, answers).filter(isFinitePoint) : [];
-  const scene = sceneBefore(input, points, view);
+  const scene = sceneWithoutResults(input, points, view);
   const own = points.map((p) => displayTriple(p, 4));
   const words = [
     scene.description,
@@ -110,7 +110,7 @@ function solvedOfTwo({ input, view }: Wanted, other: Shape): SceneModel {
     ...rootsOf(other).map((root) => ({ ...root, letter: 's' as const })),
   ];
   const first = Math.min(...met.filter(({ t }) => t >= 0).map(({ t }) => t));
-  const scene = sceneBefore(
+  const scene = sceneWithoutResults(
     input,
     met.map(({ point }) => point),
     view,

@@ -1,9 +1,9 @@
-import type { Surroundings } from '../../state/course/course.ts';
+import type { Environment } from '../../state/course/course.ts';
 
 const two = (x: number): string => String(x).padStart(2, '0');
 
 /** The clock of this device, and its chance. */
-export const SURROUNDINGS: Surroundings = {
+export const SURROUNDINGS: Environment = {
   now: () => performance.now(),
   clock() {
     const now = new Date();

@@ -6,7 +6,7 @@ import { late } from '../../ui/late.ts';
 export * as ends from '../../panels/ends.ts';
 export { normalLine } from '../../panels/normal-line.ts';
 export { announcement } from '../../state/announce.ts';
-export { closerLook } from '../../state/closer-look.ts';
+export { exploreDetails as closerLook } from '../../state/explore-details.ts';
 export { GALLERY } from '../../state/gallery/index.ts';
 export { followExplore, presentExplore } from '../lesson/projected-window.ts';
 export { createPlayer } from './bead-player.ts';

@@ -1,5 +1,5 @@
-import { closerLook } from '../../state/closer-look.ts';
 import { createDerive, type FullModel } from '../../state/derive.ts';
+import { exploreDetails } from '../../state/explore-details.ts';
 import type { AppState } from '../../state/state.ts';
 import { createTransition } from '../transition.ts';
 
@@ -16,7 +16,7 @@ export function createExampleTransition(
   host: HTMLElement,
   changed: () => void,
 ): (model: FullModel) => FullModel {
-  const derive = createDerive(() => closerLook);
+  const derive = createDerive(() => exploreDetails);
   let last: FullModel | null = null;
   let shown: AppState | null = null;
   const way = createTransition(MILLISECONDS, changed);

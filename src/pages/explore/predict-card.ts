@@ -1,9 +1,9 @@
 import { html, nothing, render, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import type { Dispatch } from '../../state/actions.ts';
-import { isAsk } from '../../state/ask.ts';
 import type { ExploreModel } from '../../state/derive.ts';
-import { hiddenReach, markOf, markStep } from '../../state/hidden.ts';
+import { hiddenReach, markOf, markStep } from '../../state/hidden-results.ts';
+import { isAsk } from '../../state/prediction-ask.ts';
 import {
   type Guess,
   judgementOf,

@@ -1,6 +1,6 @@
 import type { Dispatch } from '../../state/actions.ts';
-import { closerLook } from '../../state/closer-look.ts';
 import { createDerive, type FullModel } from '../../state/derive.ts';
+import { exploreDetails } from '../../state/explore-details.ts';
 import { createSceneAndGraph } from '../../state/scene-and-graph.ts';
 import { type AppState, shapeOf } from '../../state/state.ts';
 import {
@@ -13,13 +13,13 @@ import {
   withNumber,
 } from '../../state/sweep.ts';
 import {
+  frameBetween,
   graphIn,
   graphTrail,
-  type Held,
-  heldBetween,
-  heldFor,
+  type SweepFrame,
   sceneTrail,
-} from '../../state/sweep-trail.ts';
+  sweepFrame,
+} from '../../state/sweep-frame.ts';
 import '../../ui/play-button.ts';
 import './sweep.css';
 
@@ -30,8 +30,8 @@ interface Playing {
   readonly sweep: Sweep;
   /** The state that it plays in; with another ray or shape nothing is left of it. */
   base: AppState;
-  readonly held: Held | null;
-  readonly own: Held;
+  readonly held: SweepFrame | null;
+  readonly own: SweepFrame;
   /** When it began; null once it stands still. */
   began: number | null;
   /** The value that is drawn. */
@@ -55,8 +55,8 @@ export function createSweep(
   let latest: FullModel | null = null;
   /** Asked for, and begun with the next frame: by then what stopped the last one has arrived. */
   let wanted: string | null = null;
-  let fixed: Held['stage'] | null = null;
-  const look = { ...closerLook, createSceneAndGraph: () => createSceneAndGraph(() => fixed) };
+  let fixed: SweepFrame['stage'] | null = null;
+  const look = { ...exploreDetails, createSceneAndGraph: () => createSceneAndGraph(() => fixed) };
   const derive = createDerive(() => look);
   const isRunning = (): boolean => playing !== null && playing.began !== null;
 
@@ -74,7 +74,7 @@ export function createSweep(
     playing = {
       ...{ sweep, base: state, value: home },
       own: { stage: scene.stage, window: pick(graph) },
-      held: still ? null : heldFor(state, sweep),
+      held: still ? null : sweepFrame(state, sweep),
       began: still ? null : performance.now(),
       seen: still ? [low, high] : [home, home],
     };
@@ -135,7 +135,7 @@ export function createSweep(
       changed();
       tell();
     }
-    const now = held && heldBetween(own, held, roomAt(playing));
+    const now = held && frameBetween(own, held, roomAt(playing));
     fixed = now?.stage ?? null;
     const there = isRunning() && withNumber(state, sweep.label, playing.value);
     const drawn: FullModel = there
@@ -160,7 +160,7 @@ function move(playing: Playing, value: number | null, step: number): void {
   playing.value = playedAt(sweep, value, step);
 }
 
-const pick = ({ from, to, low, high }: FullModel['graph']): Held['window'] => ({
+const pick = ({ from, to, low, high }: FullModel['graph']): SweepFrame['window'] => ({
   ...{ from, to, low, high },
 });
 
@@ -173,7 +173,7 @@ function roomAt({ began }: Playing): number {
 function withTrail(
   model: FullModel,
   { sweep, seen, value }: Playing,
-  held: Held | null,
+  held: SweepFrame | null,
 ): FullModel {
   const { scene, graph, state } = model;
   const trail = sceneTrail(sweep, seen, scene.stage);

@@ -2,8 +2,8 @@ import { html, nothing, type TemplateResult } from 'lit';
 import type { Lesson, Step } from '../../lesson/lesson.ts';
 import { lettersIn, quantitiesIn } from '../../lesson/prose.ts';
 import { innerState } from '../../lesson/step-state.ts';
-import { closerLook } from '../../state/closer-look.ts';
 import { createDerive, type FullModel } from '../../state/derive.ts';
+import { exploreDetails } from '../../state/explore-details.ts';
 import type { AppState, Settings } from '../../state/state.ts';
 import { exploreValue } from '../lesson/prose-tools.ts';
 import { type ProseTools, proseView, type ShownValue } from '../lesson/prose-view.ts';
@@ -31,7 +31,7 @@ const GRAPH = { width: 330, height: 100 };
 /** Every step of a lesson with its drawing and its answer, one below the other. */
 export function lessonHandout({ lesson, link, seen, answered }: LessonPaper): Handout {
   const drawings: ((root: HTMLElement) => void)[] = [];
-  const derive = createDerive(() => closerLook);
+  const derive = createDerive(() => exploreDetails);
   const steps = lesson.steps.map((step, i) => {
     const name = `step-${i + 1}`;
     const inner = innerState(step, { shown: '1' });

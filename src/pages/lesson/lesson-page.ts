@@ -6,8 +6,8 @@ import { isLesson } from '../../lesson/read.ts';
 import { isHidden as areHidden, innerState, isAsked, toStep } from '../../lesson/step-state.ts';
 import { writeLesson } from '../../lesson/write.ts';
 import { announcement } from '../../state/announce.ts';
-import { closerLook } from '../../state/closer-look.ts';
 import { createDerive, type FullModel } from '../../state/derive.ts';
+import { exploreDetails } from '../../state/explore-details.ts';
 import type { AppState, Settings } from '../../state/state.ts';
 import { encode } from '../../state/url.ts';
 import { download, pickFile } from '../../ui/files.ts';
@@ -69,7 +69,7 @@ export const mountLesson: MountPage = (host, context) => {
   cover.textContent = 'Hidden. Predict first.';
   const handIn = createHandIn(dispatch, changed);
   const editing = createEditing(dispatch, changed);
-  const derive = createDerive(() => closerLook);
+  const derive = createDerive(() => exploreDetails);
   const travel = createTransition(TRAVEL_MS, changed);
   const projected = projectedWindow();
   let problem: ReturnType<typeof projected.open> = null;

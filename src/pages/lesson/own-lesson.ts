@@ -2,7 +2,7 @@ import { OWN } from '../../lesson/lesson.ts';
 import { isLesson, LONGEST_LESSON, readLesson } from '../../lesson/read.ts';
 import { firstText, newStep } from '../../lesson/write.ts';
 import { quote } from '../../math/shapes.ts';
-import { packed, unpacked } from '../../state/packed.ts';
+import { packed, unpacked } from '../../state/packed-text.ts';
 import type { AppState, Settings } from '../../state/state.ts';
 import { recall, remember } from '../../ui/storage.ts';
 

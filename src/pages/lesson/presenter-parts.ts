@@ -2,14 +2,14 @@ import { html, nothing, type TemplateResult } from 'lit';
 import type { Step } from '../../lesson/lesson.ts';
 import { innerState, isAsked, isHidden } from '../../lesson/step-state.ts';
 import { announcement } from '../../state/announce.ts';
-import { closerLook } from '../../state/closer-look.ts';
 import { createDerive, type FullModel } from '../../state/derive.ts';
 import { answerShown } from '../../state/example.ts';
+import { exploreDetails } from '../../state/explore-details.ts';
 import { lineCount, shownLines } from '../../state/reveal.ts';
 import { type AppState, INITIAL, type Settings, stepShown } from '../../state/state.ts';
 import { update } from '../../state/update.ts';
 import { decode } from '../../state/url.ts';
-import { hitSentences } from '../../state/words.ts';
+import { hitSentences } from '../../state/verdict-words.ts';
 import { display } from '../../text/format.ts';
 import { subscript } from '../../text/scripts.ts';
 import { spokenName } from '../../text/spoken.ts';
@@ -32,9 +32,9 @@ export interface PresenterParts {
   readonly drawn: AppState | null;
 }
 
-const ofStep = createDerive(() => closerLook);
-const ofStage = createDerive(() => closerLook);
-const ofNext = createDerive(() => closerLook);
+const ofStep = createDerive(() => exploreDetails);
+const ofStage = createDerive(() => exploreDetails);
+const ofNext = createDerive(() => exploreDetails);
 
 /** A step with its answer and notes; `numbers` are those of another page than Explore. */
 export function stepParts(

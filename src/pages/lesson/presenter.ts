@@ -1,8 +1,8 @@
 import { html, nothing, render } from 'lit';
 import { drawStill } from '../../canvas/thumbnail.ts';
-import { closerLook } from '../../state/closer-look.ts';
 import { createDerive } from '../../state/derive.ts';
 import { provideExamples } from '../../state/example.ts';
+import { exploreDetails } from '../../state/explore-details.ts';
 import { GALLERY } from '../../state/gallery/index.ts';
 import type { AppState } from '../../state/state.ts';
 import { encode } from '../../state/url.ts';
@@ -38,7 +38,7 @@ export function mountPresenter(host: HTMLElement, context: PageContext, id: stri
   host.classList.add('presenter');
   document.documentElement.classList.add('presenter-window');
   provideExamples(GALLERY);
-  const deriveNext = createDerive(() => closerLook);
+  const deriveNext = createDerive(() => exploreDetails);
   let stage: Projected | null = null;
   let begun = Date.now();
   let notice = '';

@@ -7,8 +7,8 @@ import { cameraLine } from '../../panels/picture-camera.ts';
 import { type CompareTools, sidePickers } from '../../panels/picture-compare.ts';
 import { growthPanel, growthSaid } from '../../panels/picture-growth.ts';
 import type { Scene } from '../../scene/types.ts';
-import { firstAgainst } from '../../state/picture/against.ts';
-import { movedFrom, stepIn } from '../../state/picture/drag.ts';
+import { firstAgainst } from '../../state/picture/comparison.ts';
+import { arrowStep, movedFrom } from '../../state/picture/drag.ts';
 import type { Measure } from '../../state/picture/ledger.ts';
 import {
   type PictureSettings,
@@ -21,7 +21,7 @@ import { createBudgetSearch } from './budget.ts';
 import { atRest, createCameraMotion } from './camera-motion.ts';
 import { createCompareView } from './compare-view.ts';
 import { compareViewModel } from './compare-view-model.ts';
-import { type DraggedThing, dragTo, thingAt } from './drags.ts';
+import { type DraggedThing, dragTo, thingAt } from './dragged-thing.ts';
 import { openScene, pictureExports } from './exports.ts';
 import { createGrowth } from './growth.ts';
 import { lateRayTree } from './late-ray-tree.ts';
@@ -129,7 +129,8 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
         if (before && isCancelled) tools.scene(() => before);
         pixels.hold(false);
       },
-      press: (id, way, isFine) => model && moveBy(id, way(stepIn(model.picture.scene, id, isFine))),
+      press: (id, way, isFine) =>
+        model && moveBy(id, way(arrowStep(model.picture.scene, id, isFine))),
     },
   });
   const moveBy = (id: string, by: Vec3): void => {

@@ -1,4 +1,4 @@
-import { type Run, type Times, timesOf } from '../../state/picture/times.ts';
+import { type Repeat, type Times, timesOf } from '../../state/picture/times.ts';
 import type { TraceProgress } from '../../workers/trace-job.ts';
 import type { Background } from './trace-queue.ts';
 import type { TraceRequest } from './trace-request.ts';
@@ -28,14 +28,14 @@ export interface RepeatProgress {
 }
 
 export function createRepeats(): Repeats {
-  const runs = new Map<string, Run[]>();
+  const runs = new Map<string, Repeat[]>();
   let measured: readonly TraceRequest[] = [];
   let done = 0;
   let spent = 0;
 
   const total = (): number => measured.length * (REPEATS + 1);
   const at = (): TraceRequest | undefined => measured[done % measured.length];
-  const known = new WeakMap<Run[], Times | null>();
+  const known = new WeakMap<Repeat[], Times | null>();
 
   const stop = (): void => {
     measured = [];

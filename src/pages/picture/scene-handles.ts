@@ -3,11 +3,11 @@ import type { Vec3 } from '../../math/index.ts';
 import { definitionOf } from '../../math/shapes.ts';
 import { nameIn } from '../../scene/names.ts';
 import type { Scene } from '../../scene/types.ts';
-import { nudged, spotOf, stepIn } from '../../state/picture/drag.ts';
+import { arrowMove, arrowStep, projectedPoint } from '../../state/picture/drag.ts';
 import type { PictureSettings } from '../../state/picture/settings.ts';
 import { display } from '../../text/format.ts';
 import { watchDrags } from '../../ui/drags.ts';
-import { type DraggedThing, dragTo, lensOf } from './drags.ts';
+import { cameraFrameOf, type DraggedThing, dragTo } from './dragged-thing.ts';
 import './scene-handles.css';
 
 interface HandleTools {
@@ -33,7 +33,7 @@ export function createSceneHandles(host: HTMLElement, tools: HandleTools): Scene
   let picture: PictureSettings | null = null;
   let held: DraggedThing | null = null;
 
-  const lens = ({ scene, width, height }: PictureSettings) => lensOf(scene, width, height);
+  const frame = ({ scene, width, height }: PictureSettings) => cameraFrameOf(scene, width, height);
   const idOf = (target: EventTarget | null): string | null =>
     target instanceof Element
       ? (target.closest<HTMLElement>('[data-handle]')?.dataset.handle ?? null)
@@ -60,15 +60,15 @@ export function createSceneHandles(host: HTMLElement, tools: HandleTools): Scene
       const at = picture && pressed !== null && placeOf(picture.scene, pressed);
       if (!picture || pressed === null || !at) return;
       tools.edit(pressed);
-      held = { scene: picture.scene, id: pressed, at, from: [0, 0], lens: lens(picture) };
+      held = { scene: picture.scene, id: pressed, at, from: [0, 0], frame: frame(picture) };
     },
     move(now, from) {
       if (!held || !picture) return;
       const [x, y] = inPicture(now);
       const pressed = inPicture(from);
       // What is seen moves with the pointer; what is outside of the picture as far as that does.
-      const spot = spotOf(held.lens, held.at);
-      const start = isInside(spot, held.lens) ? ([spot.x, spot.y] as const) : pressed;
+      const spot = projectedPoint(held.frame, held.at);
+      const start = isInside(spot, held.frame) ? ([spot.x, spot.y] as const) : pressed;
       const [dx, dy] = [x - pressed[0], y - pressed[1]];
       const edit = dragTo({ ...held, from: start }, start[0] + dx, start[1] + dy, picture.along);
       tools.scene(edit);
@@ -83,7 +83,7 @@ export function createSceneHandles(host: HTMLElement, tools: HandleTools): Scene
       return drop(true);
     }
     const { scene, along } = picture;
-    const by = nudged(lens(picture), event.key, stepIn(scene, id, event.shiftKey), along);
+    const by = arrowMove(frame(picture), event.key, arrowStep(scene, id, event.shiftKey), along);
     if (!by) return;
     event.preventDefault();
     event.stopPropagation();
@@ -149,13 +149,13 @@ function placeOf(scene: Scene, id: string): Vec3 | null {
 }
 
 const isInside = (
-  { x, y, depth }: ReturnType<typeof spotOf>,
-  { width, height }: DraggedThing['lens'],
+  { x, y, depth }: ReturnType<typeof projectedPoint>,
+  { width, height }: DraggedThing['frame'],
 ): boolean => depth > 0 && x >= 0 && x <= width && y >= 0 && y <= height;
 
 /** Where its handle is, in percent: at the edge in its direction where it is not in the picture. */
 function shownAt({ scene, width, height }: PictureSettings, at: Vec3, host: HTMLElement) {
-  const { x, y, depth } = spotOf(lensOf(scene, width, height), at);
+  const { x, y, depth } = projectedPoint(cameraFrameOf(scene, width, height), at);
   const [mx, my] = [EDGE / (host.clientWidth || 1), EDGE / (host.clientHeight || 1)];
   const [u, v] = [x / width - 0.5, y / height - 0.5];
   const beyond = Math.max(Math.abs(u) / (0.5 - mx), Math.abs(v) / (0.5 - my));

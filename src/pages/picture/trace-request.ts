@@ -1,7 +1,7 @@
 import { EFFECTS, type EffectId } from '../../scene/effects/index.ts';
 import { planEffects } from '../../scene/effects/plan.ts';
 import type { Scene } from '../../scene/types.ts';
-import { otherSide } from '../../state/picture/against.ts';
+import { otherSide } from '../../state/picture/comparison.ts';
 import type { PictureSettings } from '../../state/picture/settings.ts';
 import type { TraceSettings } from '../../tracer/types.ts';
 import { MOST_BOUNCES } from '../../tracer/weight.ts';

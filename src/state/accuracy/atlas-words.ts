@@ -8,7 +8,7 @@ import { SIDE, type Step } from '../../lab/atlas/window.ts';
 import { display, displayAll } from '../../text/format.ts';
 import { SAYS } from './change-words.ts';
 
-/** What is said of a pixel with this mark. */
+/** Words for a pixel with this mark. */
 export const MARK_WORDS: Readonly<Record<Mark, string>> = {
   right: 'right',
   misses: 'misses a hit',
@@ -37,7 +37,7 @@ export function shareWords(count: number, of: number): string {
   return `${percent < 10 ? percent.toFixed(1) : percent.toFixed(0)} %`;
 }
 
-/** Digits of 16 from which a loss is told. */
+/** Least number of lost digits, of 16, that a sentence mentions. */
 const WORTH_TELLING = 1;
 
 /** What share of the map is wrong, and which line tears. `title` begins the sentence. */
@@ -181,7 +181,7 @@ export function saidAt(title: string, request: MapRequest, frame: MapFrame, pixe
   return `“${SAYS[said]}”, right${digits}`;
 }
 
-/** The whole map for who does not see it. */
+/** The map in words, for screen readers. */
 export function mapDescription(
   title: string,
   request: MapRequest,

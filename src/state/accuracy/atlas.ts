@@ -4,7 +4,7 @@ import { clampZoom } from '../../lab/atlas/window.ts';
 import { METHODS } from '../../math/index.ts';
 import { findMethod, quote } from '../../math/shapes.ts';
 import { shortest } from '../../text/format.ts';
-import { readStart, startWords } from '../picture/start.ts';
+import { readStartRule, startWords } from '../picture/start-rule.ts';
 import { type AppState, shapeOf } from '../state.ts';
 import { type AccuracySettings, numbersIn, OWN } from './settings.ts';
 
@@ -23,7 +23,7 @@ export interface Atlas {
   readonly axes: readonly [MapAxis, MapAxis];
   /** Every number that can be an axis. */
   readonly choices: readonly MapAxis[];
-  /** What of the settings could not be used, as a sentence; '' if all could. */
+  /** A sentence on settings that could not be used; '' if all could. */
   readonly problem: string;
 }
 
@@ -40,7 +40,7 @@ export function atlasOf(state: AppState, settings: AccuracySettings): Atlas {
   const given = numbersIn(settings.at);
   const at = [given[0] ?? present[0], given[1] ?? present[1]] as const;
   const methods = listed(settings.maps, state.method);
-  const starts = settings.start === '' ? [] : settings.start.split(',').map(readStart);
+  const starts = settings.start === '' ? [] : settings.start.split(',').map(readStartRule);
   const count = Math.max(methods.length, starts.length);
   const maps = Array.from({ length: count }, (_, i): AtlasMap => {
     const method = methods[i] ?? methods[0] ?? state.method;
@@ -57,7 +57,7 @@ export function atlasOf(state: AppState, settings: AccuracySettings): Atlas {
         zoom: clampZoom(settings.by, settings.zoom),
         at,
         method: isOwn ? 'certified' : method,
-        // A program answers about rays; where they begin is not its affair.
+        // A start rule is a setting of Graze's methods: a student's program has none.
         ...(start && !isOwn && { start }),
       },
       isOwn,
@@ -113,7 +113,7 @@ export function withPixel(
     shapes: { ...state.shapes, [shape.kind]: shape },
     E: ray.origin,
     d: ray.direction,
-    // What was hidden is about the ray that was there before.
+    // Hidden results were those of the ray before.
     revealed: null,
     ...(withMethod && !isOwn && { method: request.method }),
     settings: { ...state.settings, accuracy: { ...accuracy, ...kept } },

@@ -5,7 +5,7 @@ import { findFamily } from '../../math/families.ts';
 import { InvalidInput } from '../../math/index.ts';
 import { findMethod, quote } from '../../math/shapes.ts';
 import { parseNumber } from '../../text/parse.ts';
-import { readStart } from '../picture/start.ts';
+import { readStartRule } from '../picture/start-rule.ts';
 import type { Settings } from '../state.ts';
 
 /** What the plots and the map of the Accuracy page show; a link carries it. */
@@ -158,7 +158,7 @@ function listOf(text: string, isOne: (one: string) => boolean): string | null {
 
 function isStart(text: string): boolean {
   try {
-    readStart(text);
+    readStartRule(text);
     return true;
   } catch (error) {
     if (error instanceof InvalidInput) return false;

@@ -8,9 +8,9 @@ import { definitionOf } from '../../math/shapes.ts';
 import { shortest } from '../../text/format.ts';
 import { handInCode, handInOf } from '../hand-in.ts';
 
-/* A set in a course system: what its package says, and what the system is told. */
+/* A question set in a course system: the data in its package, and the reports to the system. */
 
-/** What a package says of itself, in its page. */
+/** The data of a package, which its page holds as JSON. */
 export interface Course {
   /** Id of an entry of COURSE_SYSTEMS. */
   readonly system: string;
@@ -44,7 +44,7 @@ export function readCourse(text: string | null | undefined): Course | null {
   return { system, set, seed: seed as number, own: own === true, pass, activity };
 }
 
-/** What a course system is told of a session. */
+/** The state of a session, as it is reported to a course system. */
 export interface CourseReport {
   readonly right: number;
   readonly total: number;
@@ -88,7 +88,7 @@ export function courseReport(
   };
 }
 
-/** The hand-in code, without what stands in boxes where a course system has no room for it. */
+/** The hand-in code of at most `most` characters: without typed texts if it is too long. */
 function stateOf(progress: Progress, seed: number, who: string, most: number): string {
   const handIn = handInOf(progress, seed, who);
   const keeping = (keeps: (solvedAt: number | null) => boolean): string =>
@@ -152,8 +152,8 @@ function written(field: Field, answer: Answer | undefined): string {
   return typeof answer === 'object' ? answer.map(shortest).join(', ') : optionOf(field, answer);
 }
 
-/** A clock, and chance for the ids of statements. */
-export interface Surroundings {
+/** What the code for course systems needs of the browser: clocks, and random ids. */
+export interface Environment {
   /** ms since any moment. */
   readonly now: () => number;
   /** 12:03:59, local */
@@ -163,31 +163,31 @@ export interface Surroundings {
   readonly uuid: () => string;
 }
 
-/** Statements that a course system has not taken. */
-interface Untaken {
+/** Statements that have not reached the course system. */
+interface Unsent {
   now(): readonly unknown[];
-  /** Takes up those of an earlier visit that are this student's and set's. */
+  /** Adds those statements of an earlier visit that are of this student and set. */
   restore(kept: readonly unknown[]): void;
-  /** Whether some wait, or the outcome was never taken. */
-  owed(report: CourseReport): boolean;
+  /** Whether statements wait, or the final outcome has not been accepted. */
+  isOpen(report: CourseReport): boolean;
 }
 
-/** A course system that answers. */
+/** A session with a course system. */
 export interface Connection {
-  /** Whom it knows the student as; '' if it does not say. */
+  /** The system's id of the student; '' if unknown. */
   readonly learner: string;
-  /** The state that it kept; '' for none. */
+  /** The stored state; '' for none. */
   readonly state: string;
   readonly place: number;
   /** The session was complete before. */
   readonly complete: boolean;
-  /** It looks at what was done, and takes nothing. */
+  /** The session is a review: the system accepts no reports. */
   readonly readOnly: boolean;
   /** Most characters of a state. */
   readonly most: number;
-  /** Absent where each report says all. */
-  readonly untaken?: Untaken;
-  /** Gives why it was not taken; '' if it was. */
+  /** Absent where each report is complete in itself. */
+  readonly unsent?: Unsent;
+  /** Resolves to why the report was refused; '' if it was accepted. */
   send(report: CourseReport, answered: Answered | null): Promise<string>;
   /** The page is left. */
   end(report: CourseReport): void;

@@ -16,7 +16,7 @@ function idFor(text: string): string {
 
 const titleOf = ({ set, seed }: Course): string => `Graze: ${setName(set)}, seed ${seed}`;
 
-interface Words {
+interface ManifestFormat {
   readonly namespace: string;
   readonly adlcp: string;
   readonly version: string;
@@ -25,7 +25,7 @@ interface Words {
 }
 
 const manifest =
-  ({ namespace, adlcp, version, type }: Words) =>
+  ({ namespace, adlcp, version, type }: ManifestFormat) =>
   (course: Course): string => {
     const id = idFor(JSON.stringify([course.set, course.seed, version]));
     const title = xmlText(titleOf(course));
@@ -72,7 +72,7 @@ export const manifest2004 = manifest({
   type: 'scormType',
 });
 
-/** tincan.xml, which says how a page that sends statements is launched. */
+/** tincan.xml, which describes how a page that sends xAPI statements is launched. */
 export function tincan(course: Course): string {
   const title = xmlText(titleOf(course));
   return [

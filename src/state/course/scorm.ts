@@ -1,4 +1,4 @@
-import type { Answered, Connection, CourseReport, Surroundings } from './course.ts';
+import type { Answered, Connection, CourseReport, Environment } from './course.ts';
 import { scaled } from './course.ts';
 
 /*
@@ -25,7 +25,7 @@ export interface ScormVersion {
   readonly most: number;
   report(report: CourseReport, ms: number): Pairs;
   /** The elements of interaction n. */
-  answer(answered: Answered, around: Surroundings): Pairs;
+  answer(answered: Answered, env: Environment): Pairs;
 }
 
 const percent = (report: CourseReport): string => (100 * scaled(report)).toFixed(2);
@@ -135,7 +135,7 @@ export type ScormApi = Readonly<Record<string, unknown>>;
 export function connectScorm(
   version: ScormVersion,
   api: ScormApi,
-  around: Surroundings,
+  env: Environment,
 ): Connection | string {
   const { names } = version;
   const call = (name: keyof typeof names, ...given: string[]): string => {
@@ -160,7 +160,7 @@ export function connectScorm(
     const found = call('get', element);
     return found === 'null' || found === 'undefined' ? '' : found;
   };
-  const begun = around.now();
+  const begun = env.now();
   let ended = false;
   let state = { learner: '', state: '', place: 0, complete: false, readOnly: false };
   const problem = guarded(() => {
@@ -187,14 +187,14 @@ export function connectScorm(
       if (!isTaken) refused ||= `${element}: ${whyNot()}`;
       return isTaken;
     };
-    for (const [element, value] of version.report(report, around.now() - begun)) {
+    for (const [element, value] of version.report(report, env.now() - begun)) {
       set(element, value);
     }
     for (const answered of waiting) {
       const count = Number(get('cmi.interactions._count'));
       const n = Number.isSafeInteger(count) && count >= answers ? count : answers;
       const taken = version
-        .answer(answered, around)
+        .answer(answered, env)
         .map(([name, value]) => set(`cmi.interactions.${n}.${name}`, value));
       // Without its first element, the id, there is no interaction.
       if (!taken[0]) break;

@@ -2,8 +2,8 @@ import { derivationFor } from '../../check/compose.ts';
 import { judge } from '../../check/judge.ts';
 import { askedAt, type Progress } from '../../check/progress.ts';
 import { plan, question } from '../../check/session.ts';
-import { answeredOf, type Surroundings } from './course.ts';
-import { answeredStatement, type Scene, type Statement } from './xapi.ts';
+import { answeredOf, type Environment } from './course.ts';
+import { answeredStatement, type Statement, type StatementContext } from './xapi.ts';
 
 /**
  * The statements of a session, one for each question that was tried, with what stands in its boxes.
@@ -11,8 +11,8 @@ import { answeredStatement, type Scene, type Statement } from './xapi.ts';
  */
 export function* sessionStatements(
   progress: Progress,
-  scene: Omit<Scene, 'registration'>,
-  around: Surroundings,
+  scene: Omit<StatementContext, 'registration'>,
+  env: Environment,
 ): Generator<Statement[], void> {
   for (const [index] of plan(progress.seed, progress.set).entries()) {
     const { tries, texts } = askedAt(progress, index);
@@ -21,7 +21,7 @@ export function* sessionStatements(
       const judged = judge(derivationFor(posed), texts);
       const answered = answeredOf(posed, index, progress, judged);
       const own = { ...scene, registration: '' };
-      yield answered ? [answeredStatement(answered, own, around)] : [];
+      yield answered ? [answeredStatement(answered, own, env)] : [];
     }
   }
 }

@@ -3,11 +3,11 @@ import {
   type Connection,
   type Course,
   type CourseReport,
-  type Surroundings,
+  type Environment,
   scaled,
 } from './course.ts';
 
-/* Statements of xAPI 1.0.3 (ADL): who did what with which activity, and how it went. */
+/* Statements of xAPI 1.0.3 (ADL): actor, verb, activity and result. */
 
 const VERBS = 'http://adlnet.gov/expapi/verbs/';
 const TYPES = 'http://adlnet.gov/expapi/activities/';
@@ -15,14 +15,14 @@ const XAPI_VERSION = '1.0.3';
 
 type Actor = Readonly<Record<string, unknown>>;
 
-/** An agent with an account: a name or number of this place. */
+/** An agent with an account: a name or number at this home page. */
 export const accountOf = (homePage: string, name: string): Actor => ({
   objectType: 'Agent',
   account: { homePage, name },
 });
 
-/** Whose statements they are, on which activity. */
-export interface Scene {
+/** The actor and the activity of statements. */
+export interface StatementContext {
   readonly actor: Actor;
   /** IRI of the set. */
   readonly activity: string;
@@ -42,13 +42,13 @@ const within = (activity: string, name: string): string =>
 
 export function answeredStatement(
   { id, about, response, expected, right, causes }: Answered,
-  { actor, activity, registration }: Scene,
-  around: Surroundings,
+  { actor, activity, registration }: StatementContext,
+  env: Environment,
 ): Statement {
   const extensions =
     causes.length > 0 ? { extensions: { [within(activity, 'misconceptions')]: causes } } : {};
   return {
-    id: around.uuid(),
+    id: env.uuid(),
     actor,
     verb: verb('answered'),
     object: {
@@ -66,20 +66,20 @@ export function answeredStatement(
       ...withRegistration(registration),
       contextActivities: { parent: [{ objectType: 'Activity', id: activity }] },
     },
-    timestamp: around.stamp(),
+    timestamp: env.stamp(),
   };
 }
 
 /** That the set was completed, and passed or failed. */
 function completedStatements(
   report: CourseReport,
-  { actor, activity, registration }: Scene,
-  around: Surroundings,
+  { actor, activity, registration }: StatementContext,
+  env: Environment,
 ): Statement[] {
   const { right, total, passed } = report;
   const score = { scaled: Number(scaled(report).toFixed(4)), raw: right, min: 0, max: total };
   return ['completed', passed ? 'passed' : 'failed'].map((name) => ({
-    id: around.uuid(),
+    id: env.uuid(),
     actor,
     verb: verb(name),
     object: {
@@ -89,12 +89,12 @@ function completedStatements(
     },
     result: { score, completion: true, success: passed },
     ...(registration ? { context: { registration } } : {}),
-    timestamp: around.stamp(),
+    timestamp: env.stamp(),
   }));
 }
 
 /** How a page was launched: where statements go, by whom. */
-interface Launch extends Scene {
+interface Launch extends StatementContext {
   /** Ends with a slash. */
   readonly endpoint: string;
   readonly auth: string;
@@ -153,7 +153,7 @@ function actorIn(text: string): Actor | null {
   return null;
 }
 
-/** Whom the launch means, as a text that tells students apart. */
+/** A text that identifies the student of a launch. */
 function learnerOf({ account, mbox, mbox_sha1sum, openid }: Actor): string {
   if (isRecord(account)) return String(account.name);
   return String(mbox ?? mbox_sha1sum ?? openid ?? '').replace(/^mailto:/, '');
@@ -173,14 +173,14 @@ export type Request = (
 
 const STATE_ID = 'graze-session';
 
-/** What fits into a request of a page that is left. */
+/** Most characters of a state: browsers limit requests of a page that is being left. */
 const MOST_STATE = 40_000;
 
 /** Speaks with the record store of a launch; words on why it cannot. */
 export async function connectXapi(
   launch: Launch,
   request: Request,
-  around: Surroundings,
+  env: Environment,
 ): Promise<Connection | string> {
   const headers = {
     'X-Experience-API-Version': XAPI_VERSION,
@@ -229,8 +229,8 @@ export async function connectXapi(
   const add = (report: CourseReport, answered: Answered | null): void => {
     waiting = [
       ...waiting,
-      ...(answered ? [answeredStatement(answered, launch, around)] : []),
-      ...(isNews(report) ? completedStatements(report, launch, around) : []),
+      ...(answered ? [answeredStatement(answered, launch, env)] : []),
+      ...(isNews(report) ? completedStatements(report, launch, env) : []),
     ];
   };
   const post = async (some: readonly Statement[], last = false): Promise<string> => {
@@ -255,12 +255,12 @@ export async function connectXapi(
     learner: learnerOf(launch.actor),
     readOnly: false,
     most: MOST_STATE,
-    untaken: {
+    unsent: {
       now: () => waiting,
       restore(statements) {
         waiting = [...statements.filter((one) => isOf(launch, one)), ...waiting];
       },
-      owed: (report) => waiting.length > 0 || isNews(report),
+      isOpen: (report) => waiting.length > 0 || isNews(report),
     },
     send(report, answered) {
       add(report, answered);
@@ -280,7 +280,7 @@ export async function connectXapi(
   };
 }
 
-/** What a store answers that has a statement of this id, perhaps among others. */
+/** Answer of a store that already has a statement with one of these ids. */
 const HAS_SOME = 'it answers 409';
 
 const outcomeOf = ({ right, passed }: CourseReport): string => `${right} ${passed}`;

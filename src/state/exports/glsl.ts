@@ -79,7 +79,7 @@ struct Answer { int kind; int count; float t1; float t2; };
 bool lost(float x) { return isnan(x) || isinf(x); }
 `.split('\n');
 
-/** With ends the shader returns what is left: how many hits, the first and the last. */
+/** With ends the shader returns the hits that remain: their number, the first and the last. */
 const endsCode = (caps: boolean, f: string): string[] =>
   `
 void keep(float t, inout Answer kept) {

@@ -4,7 +4,7 @@ import type { PlaneHit } from '../../math/shapes.ts';
 import type { ExploreModel } from '../derive.ts';
 import type { CapHit } from '../ended.ts';
 import { CAP_NAMES } from '../ends.ts';
-import type { HitWords } from '../words.ts';
+import type { HitWords } from '../verdict-words.ts';
 import { DIGITS, type ExportLine, equation, number } from './line.ts';
 
 /** Lines for every root on the page, with its point and normal; also for a rejected one. */

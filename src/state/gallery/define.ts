@@ -1,5 +1,5 @@
+import type { View } from '../camera-view.ts';
 import { viewText } from '../url.ts';
-import type { View } from '../view.ts';
 
 /**
  * Words, and the claims that they make: 'D > 0', 'E inside', 't2 leaves', 'textbook class none'.

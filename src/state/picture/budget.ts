@@ -2,15 +2,15 @@ import { InvalidInput } from '../../math/index.ts';
 import { quote } from '../../math/shapes.ts';
 import type { Wanted } from '../../tracer/budget.ts';
 
-/** What a picture may differ by from the whole one. */
+/** The difference from the whole picture that is allowed. */
 export interface Budget {
   /** Largest difference of a colour's channel, in levels of 255, not rounded. */
   readonly levels: number;
-  /** Part of the pixels in which it may be more, 0 … 1. */
+  /** Share of the pixels that may differ by more, 0 … 1. */
   readonly beyond: number;
 }
 
-/** Differences that are offered: half a level is nothing that a screen shows. */
+/** Choices of the difference; half a level cannot be seen on a screen. */
 const DIFFERENCES = [
   ['0.5', 'half a level of 255', 0.5],
   ['1', 'one level of 255', 1],

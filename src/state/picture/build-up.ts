@@ -29,7 +29,7 @@ export function builtUp(scene: Scene, forced: Forced, by: 1 | -1): Forced {
   const without = (some: readonly EffectId[]): Forced => {
     const off = (these: readonly EffectId[]) => these.map((id) => [id, 'off'] as const);
     const wanted: Forced = Object.fromEntries([...forcedOn, ...off(some)]);
-    // Without soft shadows a lamp is a point, which calls for other ones.
+    // Without soft shadows a lamp is a point light, which calls for the effect 'shadow'.
     const instead = planEffects(scene, wanted).flatMap(({ id, runs }) =>
       runs && !ids.includes(id) && wanted[id] !== 'on' ? [id] : [],
     );

@@ -2,8 +2,8 @@ import type { Vec3 } from '../../math/index.ts';
 import type { Camera } from '../../scene/types.ts';
 
 /*
- * A camera in the hand: it turns about its target, shifts with it, and comes nearer to it. Each
- * edit is a function of the camera, so that those of one gesture are made one after the other.
+ * Edits of a camera: turn it about its target, shift both, change their distance. Each edit is a
+ * function of the camera, so that the edits of one gesture can be applied one after the other.
  */
 
 export type CameraEdit = (camera: Camera) => Camera;

@@ -43,7 +43,7 @@ export interface PixelRay {
   readonly samples: number;
 }
 
-/** One line of the way from a pixel to its ray. */
+/** One line of the derivation of a pixel's ray. */
 export interface CameraLine {
   /** The symbol that it gives a value. */
   readonly id: string;
@@ -127,7 +127,7 @@ export const givenOf = (
       ? ['x', 'y']
       : ['x', 'y', 'i', 'j', 'n'];
 
-/** A line in three layers: its symbols, its numbers, and what comes out. */
+/** A line as written: the symbol that it defines, its formula, and its numbers. */
 interface WrittenLine<M> {
   readonly letter: M;
   readonly symbols: M;

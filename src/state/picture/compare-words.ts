@@ -4,9 +4,9 @@ import { EFFECTS } from '../../scene/effects/index.ts';
 import { planEffects } from '../../scene/effects/plan.ts';
 import type { Scene } from '../../scene/types.ts';
 import type { TraceSettings } from '../../tracer/types.ts';
-import { AGAINST, type Against, lessWords, otherSide, sideWords, wholeOf } from './against.ts';
 import { BOUNCES } from './bounces.ts';
-import { readStart, START_TEXTS, startText } from './start.ts';
+import { AGAINST, type Against, lessWords, otherSide, sideWords, wholeOf } from './comparison.ts';
+import { readStartRule, START_TEXTS, startText } from './start-rule.ts';
 
 const MOST = BOUNCES.at(-1) ?? 0;
 
@@ -25,7 +25,7 @@ export function sideOptions(
     ({ id }): Against => ({ change: 'method', method: id }),
   );
   const starts = START_TEXTS.filter((text) => text !== startText(settings.start)).map(
-    (text): Against => ({ change: 'start', start: readStart(text) }),
+    (text): Against => ({ change: 'start', start: readStartRule(text) }),
   );
   const effects = planEffects(scene, settings.forced).map(
     ({ id, runs }): Against => ({ change: 'effect', effect: id, force: runs ? 'off' : 'on' }),

@@ -22,7 +22,7 @@ export function heatOf(values: Uint32Array): Heat {
   const few = Math.ceil(values.length / 10);
   const dearest = ascending.subarray(values.length - few).reduce((all, x) => all + x, 0);
   const tens: number[] = [];
-  // Those too near to an end have no room for their number.
+  // A tick too near to an end has no room for its number.
   const apart = (most / least) ** (1 / 7);
   for (let ten = 10; ten * apart <= most; ten *= 10) if (ten >= least * apart) tens.push(ten);
   return {

@@ -6,7 +6,7 @@ import type { Cost, Ledger, RayKind, TraceSettings, Work } from '../../tracer/ty
 import { type BuildUp, buildUpOf } from './build-up.ts';
 import type { Spread, Times } from './times.ts';
 
-/** What the bars may show; all but the time are the same on every machine. */
+/** Measures of the bars; all but the time are the same on every machine. */
 export const MEASURES = ['questions', 'rays', 'solves', 'roots', 'ms'] as const;
 export type Measure = (typeof MEASURES)[number];
 export const MEASURE_WORDS: Readonly<Record<Measure, string>> = {

@@ -3,10 +3,10 @@ import { display } from '../../text/format.ts';
 import { subscript } from '../../text/scripts.ts';
 import type { StartRule } from '../../tracer/types.ts';
 import { type Between, whyCut } from '../heights.ts';
-import { crossing } from '../words.ts';
+import { crossing } from '../verdict-words.ts';
 
-/** A ray of the tracer and what decides which of its roots on one surface count. */
-export interface Meeting {
+/** A ray of the tracer, and the rules that decide which of its roots on one surface count. */
+export interface RootFilter {
   readonly ray: Ray;
   readonly between: Between | null;
   /** It starts on this surface, and the root there is dropped by identity. */
@@ -30,16 +30,16 @@ export interface RootFate {
 /**
  * The least t that counts: for a camera ray, and for one that leaves a surface under a start rule.
  */
-export const leastOf = (start: StartRule, camera: boolean): number =>
+export const leastCountedT = (start: StartRule, camera: boolean): number =>
   start.rule === 'epsilon' && !camera
     ? Math.max(start.epsilon, Number.MIN_VALUE)
     : Number.MIN_VALUE;
 
 /**
- * Every root of the whole shape with what became of it: the rules of the tracer (ask.ts,
+ * Every root of the whole shape with what became of it: the rules of the tracer (tracer/ask.ts,
  * heights-body.ts), one ray at a time.
  */
-export function rootFates(found: Intersection, meeting: Meeting): RootFate[] {
+export function rootFates(found: Intersection, meeting: RootFilter): RootFate[] {
   const { ray, between, leaves, least, most, passes } = meeting;
   const start = leaves ? startOf(found) : -1;
   let hit = false;

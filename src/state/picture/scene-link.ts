@@ -3,7 +3,7 @@ import { quote } from '../../math/shapes.ts';
 import { LONGEST_JSON, sceneFromJson, sceneToJson } from '../../scene/json.ts';
 import { allPresets, findPreset } from '../../scene/presets/index.ts';
 import type { Scene } from '../../scene/types.ts';
-import { packed, unpacked } from '../packed.ts';
+import { packed, unpacked } from '../packed-text.ts';
 
 /*
  * A scene in a link: a preset by its id, any other one as its JSON, deflated, after a tilde, which

@@ -5,12 +5,12 @@ import type { Forced } from '../../scene/effects/plan.ts';
 import type { Scene } from '../../scene/types.ts';
 import type { StartRule } from '../../tracer/types.ts';
 import type { Settings } from '../state.ts';
-import { AGAINST, type Against } from './against.ts';
 import { readBounces } from './bounces.ts';
 import { BUDGET, type Budget } from './budget.ts';
-import { ALONG, type Along } from './drag.ts';
+import { AGAINST, type Against } from './comparison.ts';
+import { DRAG_PLANES, type DragPlane } from './drag.ts';
 import { DEFAULT_SCENE, sceneFromText } from './scene-link.ts';
-import { readStart } from './start.ts';
+import { readStartRule } from './start-rule.ts';
 
 /** The settings of the Picture page, which its link carries. */
 export interface PictureSettings {
@@ -32,7 +32,7 @@ export interface PictureSettings {
   /** What the map beside the picture shows; 'both', an old word, for questions. */
   readonly show: 'both' | 'roots' | 'rays' | 'errors';
   /** What drags of things and lights keep to. */
-  readonly along: Along;
+  readonly along: DragPlane;
   /** The pixel whose rays are followed. */
   readonly pixel: readonly [x: number, y: number] | null;
   /** Whether it is measured how the price grows. */
@@ -57,7 +57,7 @@ const KEYS = {
   size: { initial: '752x424', read: readSize },
   samples: { initial: '1', read: oneOf(SAMPLES) },
   light: { initial: '16', read: oneOf(LIGHT_SAMPLES) },
-  start: { initial: 'from', read: readStart },
+  start: { initial: 'from', read: readStartRule },
   on: { initial: '', read: readEffects },
   off: { initial: '', read: readEffects },
   bounces: { initial: '64', read: readBounces },
@@ -67,7 +67,7 @@ const KEYS = {
   pixel: { initial: '', read: readPixel },
   growth: { initial: '', read: word(['', 'on']) },
   budget: { initial: '', read: BUDGET.read },
-  drag: { initial: 'floor', read: word(ALONG) },
+  drag: { initial: 'floor', read: word(DRAG_PLANES) },
 } as const satisfies Record<string, Key>;
 
 export type PictureKey = keyof typeof KEYS;
@@ -99,7 +99,7 @@ export function pictureSettings(settings: Settings): PictureSettings {
     against: value('against'),
     split: value('split'),
     show: value('show') as PictureSettings['show'],
-    along: value('drag') as Along,
+    along: value('drag') as DragPlane,
     pixel: pixel && pixel[0] < width && pixel[1] < height ? pixel : null,
     grows: value('growth') === 'on',
     budget: value('budget'),

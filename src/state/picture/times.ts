@@ -4,7 +4,7 @@ import type { EffectId } from '../../scene/effects/index.ts';
 import type { Ledger } from '../../tracer/types.ts';
 
 /** One repeat of a picture by warm workers. */
-export interface Run {
+export interface Repeat {
   readonly ledger: Ledger;
   /** From start to end, in ms. */
   readonly waited: number;
@@ -24,9 +24,8 @@ export interface Times {
   readonly work: Spread;
   readonly waited: Spread;
   /**
-   * The repeat whose wait is nearest to the lower quartile, in ms: the work of all workers, divided
-   * by their number, plus the rest, is the wait. The rest is handing over scene and tiles, and
-   * waiting for the last one.
+   * Of the repeat whose `waited` is nearest to the lower quartile, in ms: waited = work / workers +
+   * rest. The rest is the transfer of scene and tiles, and the wait for the last worker.
    */
   readonly typical: {
     readonly work: number;
@@ -44,9 +43,9 @@ export interface Times {
 export const LEAST_REPEATS = 5;
 
 /** Null for fewer than LEAST_REPEATS. */
-export function timesOf(runs: readonly Run[]): Times | null {
+export function timesOf(runs: readonly Repeat[]): Times | null {
   if (runs.length < LEAST_REPEATS) return null;
-  const spreadOf = (of: (run: Run) => number): Spread => {
+  const spreadOf = (of: (run: Repeat) => number): Spread => {
     const { low, high } = quartiles(runs.map(of));
     return { low, high };
   };
@@ -55,7 +54,7 @@ export function timesOf(runs: readonly Run[]): Times | null {
   const nearest = sorted(runs.map((run) => run.waited)).reduce((best, wait) =>
     Math.abs(wait - waited.low) < Math.abs(best - waited.low) ? wait : best,
   );
-  const run = runs.find((one) => one.waited === nearest) as Run;
+  const run = runs.find((one) => one.waited === nearest) as Repeat;
   const work = workOf(run);
   const spread = waited.high / waited.low - 1;
   return {
@@ -80,5 +79,5 @@ export function timesOf(runs: readonly Run[]): Times | null {
 }
 
 /** ms of all workers together. */
-const workOf = ({ ledger }: Run): number =>
+const workOf = ({ ledger }: Repeat): number =>
   Object.values(ledger.effects).reduce((sum, { ms }) => sum + ms, ledger.camera.ms);

@@ -6,9 +6,9 @@ import type { Scene } from '../../scene/types.ts';
 import { display } from '../../text/format.ts';
 import type { RayKind, RayNode, StartRule, TraceSettings } from '../../tracer/types.ts';
 import type { Between } from '../heights.ts';
-import { surfaceSteps } from './hit-steps.ts';
-import { leastOf, type Meeting } from './root-fates.ts';
-import { startText } from './start.ts';
+import { leastCountedT, type RootFilter } from './root-fates.ts';
+import { startText } from './start-rule.ts';
+import { surfaceSteps } from './surface-steps.ts';
 
 /** A row of the list of a pixel's rays. */
 export interface TreeRow {
@@ -30,16 +30,16 @@ export interface TreeRow {
   readonly rest: string;
   /** The shape of the surface where it ended; null if it ended nowhere. */
   readonly shape: Shape | null;
-  /** What Explore opens: of a capped thing all of it, whose first hit is the same. */
-  readonly opens: Opens | null;
-  readonly meeting: Meeting;
+  /** The question to open in Explore: for a cap its whole thing, which has the same first hit. */
+  readonly opens: ExploreTarget | null;
+  readonly rootFilter: RootFilter;
   readonly t: number | null;
   readonly node: RayNode;
   /** If the row stands for several shadow rays to one light: how many, and how many are blocked. */
   readonly group: { readonly count: number; readonly blocked: number } | null;
 }
 
-interface Opens {
+interface ExploreTarget {
   readonly shape: Shape;
   readonly between: Between | null;
   readonly caps: boolean;
@@ -127,11 +127,11 @@ function rowOf(
   // A ray that meets nothing is shown with the surface that it leaves.
   const asked = 'surface' in end ? end.surface : surfaces[node.from] ? node.from : 0;
   const surface = surfaces[asked];
-  const meetingOf = (index: number): Meeting => ({
+  const filterOf = (index: number): RootFilter => ({
     ray,
     between: (how.forced.heights !== 'off' && surfaces[index]?.between) || null,
     leaves: how.start.rule === 'from' && node.from === index,
-    least: leastOf(how.start, kind === 'camera'),
+    least: leastCountedT(how.start, kind === 'camera'),
     most: end.end === 'light' ? end.t : Number.POSITIVE_INFINITY,
     passes: kind === 'shadow' && isClear(scene, surface),
   });
@@ -141,12 +141,12 @@ function rowOf(
     ({ thing, part }) => thing === surface?.thing && part === 'shape',
   );
   const shape = surfaces[side]?.shape;
-  const passed = 'surface' in end && shape ? cutWords(shape, meetingOf(side), end.t, how) : [];
+  const passed = 'surface' in end && shape ? cutWords(shape, filterOf(side), end.t, how) : [];
   const of = side === asked ? '' : 'of its side ';
   return {
     ...{ path, rays: [path], depth, kind, ray, weight, node, verdict },
     words: wayWords(node, scene, surfaces),
-    meeting: meetingOf(asked),
+    rootFilter: filterOf(asked),
     rest: rest + passed.map((words) => `; ${of}${words}`).join(''),
     shape: surface?.shape ?? null,
     opens: surface ? opensOf(node, surface, scene, surfaces, how) : null,
@@ -161,7 +161,7 @@ function opensOf(
   { things }: Scene,
   surfaces: readonly Surface[],
   { start, forced }: Tracing,
-): Opens {
+): ExploreTarget {
   const between = (forced.heights !== 'off' && things[surface.thing]?.between) || null;
   const own = surfaces.filter(({ thing }) => thing === surface.thing);
   const caps = between !== null && own.some(({ part }) => part !== 'shape');
@@ -186,7 +186,7 @@ function isClear({ things }: Scene, surface: Surface | undefined): boolean {
 /** Words on roots of the shape before the hit, which the heights cut off. */
 function cutWords(
   shape: Shape,
-  meeting: Meeting,
+  meeting: RootFilter,
   hit: number,
   { method }: Tracing,
 ): readonly string[] {

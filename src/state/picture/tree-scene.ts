@@ -6,7 +6,7 @@ import { surfacesOf } from '../../scene/surfaces.ts';
 import type { Light, Scene, Thing } from '../../scene/types.ts';
 import type { RayKind, RayNode } from '../../tracer/types.ts';
 
-/** A ray of the tree in space, clipped to what the space view shows. */
+/** A ray of the tree, clipped to the part of the world that the view in space shows. */
 export interface TreeLine {
   readonly path: string;
   readonly kind: RayKind;
@@ -145,7 +145,7 @@ function lightOf(light: Light, scene: Scene, nodes: readonly Named[], stage: Sta
   return { id, name: nameIn(scene, id), at: plus(from, way, 1 / per), per };
 }
 
-/** Where a camera ray that hits nothing is drawn from: before its point nearest to the centre. */
+/** The drawn start of a camera ray without a hit: before its point nearest to the centre. */
 function nearest(origin: Vec3, unit: Vec3, { center, radius }: Stage): Vec3 {
   const [x, y, z] = minus(center, origin);
   const t = x * unit[0] + y * unit[1] + z * unit[2];

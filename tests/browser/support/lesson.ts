@@ -3,7 +3,7 @@ import type { Page } from '@playwright/test';
 import type { Lesson, Step } from '../../../src/lesson/lesson.ts';
 import { readLesson } from '../../../src/lesson/read.ts';
 import { innerState } from '../../../src/lesson/step-state.ts';
-import { packed } from '../../../src/state/packed.ts';
+import { packed } from '../../../src/state/packed-text.ts';
 import { rayOf, shapeOf } from '../../../src/state/state.ts';
 import { expected } from './expected.ts';
 import type { Shown } from './page.ts';

@@ -6,8 +6,8 @@ import { Projection } from '../../../src/canvas/projection.ts';
 import { SceneLines } from '../../../src/canvas/scene-lines.ts';
 import { walkOf } from '../../../src/math/formula.ts';
 import { SHAPES } from '../../../src/math/index.ts';
-import { closerLook } from '../../../src/state/closer-look.ts';
 import { createDerive } from '../../../src/state/derive.ts';
+import { exploreDetails } from '../../../src/state/explore-details.ts';
 import { GALLERY } from '../../../src/state/gallery/index.ts';
 import type { SceneModel } from '../../../src/state/scene-model.ts';
 import { decode } from '../../../src/state/url.ts';
@@ -61,7 +61,7 @@ const metIn = (labels: ReturnType<typeof labelsOf>): string[] =>
   );
 
 describe.each(WALK_FRAMES)('the derivation, $window', (frame) => {
-  const derive = createDerive(() => closerLook);
+  const derive = createDerive(() => exploreDetails);
   const links = SHAPES.flatMap(({ kind }) =>
     ['', '&hide=1'].map((more) => `#/explore?shape=${kind}${more}`),
   );
@@ -81,7 +81,7 @@ describe.each(WALK_FRAMES)('the derivation, $window', (frame) => {
 });
 
 describe.each(FRAMES)('$window', (frame) => {
-  const derive = createDerive(() => closerLook);
+  const derive = createDerive(() => exploreDetails);
 
   const first = SHAPES.map(({ kind }) => `#/explore?shape=${kind}`);
   test.each([

@@ -3,8 +3,8 @@ import { expect, test } from 'vitest';
 import { frameOf } from '../../../src/charts/graph-frame.ts';
 import { scalesOf } from '../../../src/charts/graph-scales.ts';
 import { page } from '../../../src/charts/graph-view.ts';
-import { closerLook } from '../../../src/state/closer-look.ts';
 import { createDerive } from '../../../src/state/derive.ts';
+import { exploreDetails } from '../../../src/state/explore-details.ts';
 import type { AppState } from '../../../src/state/state.ts';
 import { decode } from '../../../src/state/url.ts';
 import { coordinate, FARTHEST } from '../../../src/text/coordinate.ts';
@@ -31,7 +31,7 @@ function markup(part: unknown): string {
 const GEOMETRY = /\s(x|y|x1|x2|y1|y2|cx|cy|r|d|width|height|transform)="([^"]*)"/g;
 
 function undrawable(state: AppState): string[] {
-  const model = createDerive(() => closerLook)(state).graph;
+  const model = createDerive(() => exploreDetails)(state).graph;
   return [
     [640, 200],
     [340, 150],

@@ -11,6 +11,7 @@ import {
   readAccuracy,
   WORTHS,
 } from '../../../src/state/accuracy/settings.ts';
+import { NAMED_VIEWS } from '../../../src/state/camera-view.ts';
 import {
   LIGHT_SAMPLES,
   type PictureKey,
@@ -19,7 +20,6 @@ import {
 } from '../../../src/state/picture/settings.ts';
 import { PAGES, type Settings } from '../../../src/state/state.ts';
 import { decode } from '../../../src/state/url.ts';
-import { NAMED_VIEWS } from '../../../src/state/view.ts';
 import { parseNumber } from '../../../src/text/parse.ts';
 import { MOST_BOUNCES } from '../../../src/tracer/weight.ts';
 import { codeSpans, flowing, read, section } from './documents.ts';

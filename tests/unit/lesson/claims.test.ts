@@ -6,8 +6,8 @@ import { LESSON_IDS, lessonOf } from '../../../src/lesson/lessons/index.ts';
 import { type Block, type Inline, inlinesOf, quantitiesIn } from '../../../src/lesson/prose.ts';
 import { quantityOf } from '../../../src/lesson/quantities.ts';
 import { innerState } from '../../../src/lesson/step-state.ts';
-import { closerLook } from '../../../src/state/closer-look.ts';
 import { createDerive, type FullModel } from '../../../src/state/derive.ts';
+import { exploreDetails } from '../../../src/state/explore-details.ts';
 import { update } from '../../../src/state/update.ts';
 import { many } from '../many.ts';
 import { holds, holdsBetween, isBetween } from './lesson-claims.ts';
@@ -22,7 +22,7 @@ const FINER = many(2);
 /** What a step shows as it opens, then with each value that its free numbers can be given. */
 function modelsOf(step: Step): FullModel[] {
   const start = { ...innerState(step, {}), revealed: null };
-  const derive = createDerive(() => closerLook);
+  const derive = createDerive(() => exploreDetails);
   const moved = (step.free === null ? [] : (freedomOf(step.free, start) ?? [])).flatMap((one) => {
     const [least, most] = one.range;
     const count = Math.round(((most - least) / one.step) * FINER);

@@ -2,13 +2,13 @@ import { describe, expect, test } from 'vitest';
 import { judgeGuess, whyNoGuess } from '../../../src/lesson/judge.ts';
 import type { Guess } from '../../../src/lesson/lesson.ts';
 import { quantityOf } from '../../../src/lesson/quantities.ts';
-import { closerLook } from '../../../src/state/closer-look.ts';
 import { createDerive } from '../../../src/state/derive.ts';
+import { exploreDetails } from '../../../src/state/explore-details.ts';
 import { decode } from '../../../src/state/url.ts';
 
 // A = 25/16, B = −15/2, C = 135/16: D = 225/64, the roots are 1.8 and 3.
 const LINK = '#/explore?shape=cylinder&C=0,1,0&r=1.25&E=3,1,1&d=-1,-0.25,-0.75';
-const model = createDerive(() => closerLook)(decode(LINK));
+const model = createDerive(() => exploreDetails)(decode(LINK));
 const onExplore = { model, value: (name: string) => quantityOf(model, name) };
 const words = (guess: Guess, given: string): string => judgeGuess(guess, given, onExplore).words;
 const of = (quantity: string): Guess => ({ type: 'quantity', quantity });

@@ -3,15 +3,15 @@ import '../state/gallery-loaded.ts';
 import { commandWords } from '../../../src/pages/command-words.ts';
 import { type Command, commandsOf, type PageActions } from '../../../src/pages/commands.ts';
 import { announcement } from '../../../src/state/announce.ts';
-import { closerLook } from '../../../src/state/closer-look.ts';
 import { createDerive } from '../../../src/state/derive.ts';
 import { answerShown } from '../../../src/state/example.ts';
+import { exploreDetails } from '../../../src/state/explore-details.ts';
 import { lineCount } from '../../../src/state/reveal.ts';
 import { type AppState, INITIAL } from '../../../src/state/state.ts';
 import { createStore, type Store } from '../../../src/state/store.ts';
 import { decode } from '../../../src/state/url.ts';
 
-const derive = createDerive(() => closerLook);
+const derive = createDerive(() => exploreDetails);
 
 /** The commands on a store; those that are the page's own say so in `called`. */
 function commandsOn(store: Store): { commands: readonly Command[]; called: string[] } {

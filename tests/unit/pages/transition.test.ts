@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { between } from '../../../src/pages/transition.ts';
-import { closerLook } from '../../../src/state/closer-look.ts';
 import { createDerive } from '../../../src/state/derive.ts';
+import { exploreDetails } from '../../../src/state/explore-details.ts';
 import { GALLERY } from '../../../src/state/gallery/index.ts';
 import { rayOf, shapeOf } from '../../../src/state/state.ts';
 import { decode } from '../../../src/state/url.ts';
@@ -14,7 +14,7 @@ const PAIRS = GALLERY.slice(1).flatMap((entry, i) => {
 test.each(PAIRS)(
   'to %s: begins and ends exactly there, with an answer all the way',
   (_, from, to) => {
-    const derive = createDerive(() => closerLook);
+    const derive = createDerive(() => exploreDetails);
     const at = (share: number) => between(from, to, share);
     expect([rayOf(at(0)).origin, shapeOf(at(0))]).toEqual([
       from.E,

@@ -13,11 +13,11 @@ import { inNumbers } from '../../../src/math/formula/print/leaves.ts';
 import type { Marks } from '../../../src/math/formula/print/math-notation.ts';
 import { METHODS, SHAPES } from '../../../src/math/index.ts';
 import { putIntoLine } from '../../../src/panels/check-lines.ts';
-import { closerLook } from '../../../src/state/closer-look.ts';
 import { createDerive, type ExploreModel } from '../../../src/state/derive.ts';
 import { shownResult } from '../../../src/state/exact-digits.ts';
+import { exploreDetails } from '../../../src/state/explore-details.ts';
 import { fitsInto, spacesOf } from '../../../src/state/number-space.ts';
-import { surfaceSteps } from '../../../src/state/picture/hit-steps.ts';
+import { surfaceSteps } from '../../../src/state/picture/surface-steps.ts';
 import { conditionDigits, putIn, resultsOf } from '../../../src/state/put-in.ts';
 import { type AppState, INITIAL } from '../../../src/state/state.ts';
 import { decode } from '../../../src/state/url.ts';
@@ -89,7 +89,7 @@ function falseLines(model: ExploreModel): string[] {
     );
 }
 
-const derived = (state: AppState): ExploreModel => createDerive(() => closerLook)(state);
+const derived = (state: AppState): ExploreModel => createDerive(() => exploreDetails)(state);
 const linked = (query: string): ExploreModel => derived(decode(`#/explore?${query}`));
 
 /** Numbers as people type and drag them, thirds among them, and all methods. */

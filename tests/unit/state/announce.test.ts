@@ -2,14 +2,14 @@ import { describe, expect, test } from 'vitest';
 import './gallery-loaded.ts';
 import type { Action } from '../../../src/state/actions.ts';
 import { announcement } from '../../../src/state/announce.ts';
-import { closerLook } from '../../../src/state/closer-look.ts';
 import { createDerive } from '../../../src/state/derive.ts';
+import { exploreDetails } from '../../../src/state/explore-details.ts';
 import { INITIAL } from '../../../src/state/state.ts';
 import { update } from '../../../src/state/update.ts';
 import { decode } from '../../../src/state/url.ts';
 
 function heard(link: string, action: Action): string {
-  const derive = createDerive(() => closerLook);
+  const derive = createDerive(() => exploreDetails);
   const state = decode(link, INITIAL);
   return announcement(derive(state), derive(update(state, action)));
 }
@@ -47,7 +47,7 @@ test('where it is looked at from, and the bead is silent: its slider speaks', ()
 });
 
 test('all that has changed since it was last told', () => {
-  const derive = createDerive(() => closerLook);
+  const derive = createDerive(() => exploreDetails);
   const state = decode(NEAR, INITIAL);
   const moved = update(state, { type: 'origin', value: [5, 1, 1.5] });
   const both = update(moved, { type: 'param', key: 'radius', value: 1.5 });
@@ -57,7 +57,7 @@ test('all that has changed since it was last told', () => {
 });
 
 test('lines that are revealed one by one, and all of them', () => {
-  const derive = createDerive(() => closerLook);
+  const derive = createDerive(() => exploreDetails);
   const hidden = update(decode(NEAR, INITIAL), { type: 'reveal', lines: 0 });
   const told = [1, 4, 5, null].map((lines, i, all) => {
     const before = i === 0 ? 0 : (all[i - 1] ?? null);
@@ -75,14 +75,14 @@ test('lines that are revealed one by one, and all of them', () => {
 });
 
 test('what is hidden is not told', () => {
-  const derive = createDerive(() => closerLook);
+  const derive = createDerive(() => exploreDetails);
   const state = update(decode(NEAR, INITIAL), { type: 'reveal', lines: 0 });
   const next = update(state, { type: 'param', key: 'radius', value: 1.5 });
   expect(announcement(derive(state), derive(next))).toBe('r 1.5.');
 });
 
 describe('an example', () => {
-  const derive = createDerive(() => closerLook);
+  const derive = createDerive(() => exploreDetails);
   const opened = update(INITIAL, { type: 'example', id: 'circle-rim' });
   const moved = update(opened, { type: 'param', key: 'radius', value: 3 });
 

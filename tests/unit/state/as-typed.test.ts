@@ -5,7 +5,7 @@ import { intersect } from '../../../src/math/index.ts';
 import { asTyped } from '../../../src/state/as-typed.ts';
 import { rayOf, shapeOf } from '../../../src/state/state.ts';
 import { decode } from '../../../src/state/url.ts';
-import { verdictWords } from '../../../src/state/words.ts';
+import { verdictWords } from '../../../src/state/verdict-words.ts';
 import { parseNumber } from '../../../src/text/parse.ts';
 import {
   cross,

@@ -20,8 +20,8 @@ import {
   type Connection,
   type Course,
   courseReport,
+  type Environment,
   readCourse,
-  type Surroundings,
 } from '../../../src/state/course/course.ts';
 import { pageWithCourse } from '../../../src/state/course/package.ts';
 import { connectScorm, type ScormApi, type ScormVersion } from '../../../src/state/course/scorm.ts';
@@ -44,7 +44,7 @@ const COURSE: Course = {
 };
 
 let ms = 0;
-const AROUND: Surroundings = {
+const AROUND: Environment = {
   now: () => ms,
   clock: () => '09:08:07',
   stamp: () => '2026-11-30T09:08:07.12Z',
@@ -449,7 +449,7 @@ describe('statements', () => {
         const visit = async (): Promise<Connection> => {
           const found = await connectXapi(launch, request, around);
           if (typeof found === 'string') throw new Error(found);
-          found.untaken?.restore(JSON.parse(kept));
+          found.unsent?.restore(JSON.parse(kept));
           return found;
         };
         let connection = await visit();
@@ -460,7 +460,7 @@ describe('statements', () => {
           store = next;
           if (does === 'leave') {
             connection.end(report());
-            kept = JSON.stringify(connection.untaken?.now());
+            kept = JSON.stringify(connection.unsent?.now());
             connection = await visit();
           } else if (does === 'hand in') {
             handedIn = true;
@@ -473,10 +473,10 @@ describe('statements', () => {
           }
         }
         store = 'takes';
-        if (connection.untaken?.owed(report())) await connection.send(report(), null);
+        if (connection.unsent?.isOpen(report())) await connection.send(report(), null);
         const verbs = [...had.values()].map(({ verb }) => String((verb as { id: string }).id));
         const count = (verb: string) => verbs.filter((one) => one.endsWith(verb)).length;
-        expect(connection.untaken?.now()).toEqual([]);
+        expect(connection.unsent?.now()).toEqual([]);
         expect(count('/answered')).toBe(tries);
         expect(count('/completed') > 0).toBe(report().complete);
         expect(count('/completed')).toBe(count('/passed') + count('/failed'));

@@ -8,8 +8,8 @@ import { definitionOf } from '../../../src/math/shapes/lookup.ts';
 import type { Param } from '../../../src/math/shapes/params.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import type { Action } from '../../../src/state/actions.ts';
-import { closerLook } from '../../../src/state/closer-look.ts';
 import { createDerive, type FullModel } from '../../../src/state/derive.ts';
+import { exploreDetails } from '../../../src/state/explore-details.ts';
 import {
   type AppState,
   INITIAL,
@@ -23,14 +23,14 @@ import { many } from '../many.ts';
 import { anyPicture, PICTURED } from './random-state.ts';
 
 const open = (query: string): FullModel =>
-  createDerive(() => closerLook)(decode(`#/explore?${query}`));
+  createDerive(() => exploreDetails)(decode(`#/explore?${query}`));
 const having = (...actions: Action[]): AppState => actions.reduce(update, INITIAL);
 const KINDS: readonly ShapeKind[] = SHAPES.map(({ kind }) => kind);
 
 describe('the ray of an empty visit', () => {
   // A shape that no question set asks about yet may have its parameters chosen later.
   test.each(setOf('2').shapes)('%s: it meets it ahead, all numbers short decimals', (kind) => {
-    const { derivation, found } = createDerive(() => closerLook)({ ...INITIAL, kind });
+    const { derivation, found } = createDerive(() => exploreDetails)({ ...INITIAL, kind });
     const steps = derivation.steps.flatMap(({ value }) => (value === null ? [] : [value]));
     const numbers = [
       ...steps,
@@ -44,7 +44,7 @@ describe('the ray of an empty visit', () => {
 });
 
 describe('what did not change keeps its identity', () => {
-  const derive = createDerive(() => closerLook);
+  const derive = createDerive(() => exploreDetails);
   const before = derive(INITIAL);
   const moved = derive(having({ type: 'origin', value: [2.4, 3, 2] }));
 
@@ -55,7 +55,7 @@ describe('what did not change keeps its identity', () => {
   });
 
   test('the very same state: everything costly stays', () => {
-    const again = createDerive(() => closerLook);
+    const again = createDerive(() => exploreDetails);
     const first = again(INITIAL);
     const second = again(INITIAL);
     expect(second.found).toBe(first.found);
@@ -66,7 +66,7 @@ describe('what did not change keeps its identity', () => {
   });
 
   test('another view or bead: nothing is computed anew but the picture', () => {
-    const own = createDerive(() => closerLook);
+    const own = createDerive(() => exploreDetails);
     const first = own(INITIAL);
     const looked = own(having({ type: 'view', view: 'top' }));
     expect(looked.found).toBe(first.found);
@@ -78,7 +78,7 @@ describe('what did not change keeps its identity', () => {
   });
 
   test('another slope: another drawing, and back again the numbers of before', () => {
-    const own = createDerive(() => closerLook);
+    const own = createDerive(() => exploreDetails);
     const first = own(INITIAL);
     const wide = own(having({ type: 'param', key: 'slope', value: 1.1 }));
     expect(wide.scene.drawing).not.toBe(first.scene.drawing);
@@ -87,8 +87,8 @@ describe('what did not change keeps its identity', () => {
   });
 
   test('two derives do not share a memory', () => {
-    expect(createDerive(() => closerLook)(INITIAL).found).not.toBe(
-      createDerive(() => closerLook)(INITIAL).found,
+    expect(createDerive(() => exploreDetails)(INITIAL).found).not.toBe(
+      createDerive(() => exploreDetails)(INITIAL).found,
     );
   });
 });
@@ -96,7 +96,7 @@ describe('what did not change keeps its identity', () => {
 describe('the model is the math module’s answer', () => {
   test.each(KINDS)('%s', (kind) => {
     const state = having({ type: 'shape', kind });
-    const model = createDerive(() => closerLook)(state);
+    const model = createDerive(() => exploreDetails)(state);
     expect(model.found).toEqual(intersect(shapeOf(state), model.ray, state.method));
     expect(model.ray).toEqual({ origin: state.E, direction: state.d });
     expect(model.shape).toBe(shapeOf(state));
@@ -121,7 +121,7 @@ describe('the model is the math module’s answer', () => {
     });
   });
 
-  test('the verdict and the hits are those of words.ts', () => {
+  test('the verdict and the hits are those of verdict-words.ts', () => {
     const model = open('shape=cylinder&C=0,0,0&r=1&E=3,0,0&d=-1,0,0');
     expect(model.verdict.text).toBe('two points: the ray enters, then leaves');
     expect(model.hits.map(({ role }) => role)).toEqual(['first', 'other']);
@@ -226,7 +226,7 @@ describe('the graph', () => {
   });
 
   test('a ray that was kept has its own f there, unless the results are hidden', () => {
-    const derive = createDerive(() => closerLook);
+    const derive = createDerive(() => exploreDetails);
     const first = decode('#/explore?shape=cylinder&C=0,0,0&r=1&E=3,0,0&d=-1,0,0');
     const kept = update(first, { type: 'ghost', on: true });
     const moved = update(kept, { type: 'origin', value: [5, 0, 0] });
@@ -323,7 +323,7 @@ describe('the stage', () => {
   });
 
   test.each(KINDS)('%s: no slider makes it jump', (kind) => {
-    const derive = createDerive(() => closerLook);
+    const derive = createDerive(() => exploreDetails);
     const steps = many(60);
     for (const { name, range, at } of slidersOf(kind)) {
       const stageAt = (x: number): Stage => derive(at(x)).scene.stage;
@@ -418,8 +418,8 @@ describe.each(WORLDS)('a world of size %d', (size) => {
         { type: 'origin', value: scaled(base.E) } as const,
         { type: 'direction', value: d } as const,
       ].reduce(update, base);
-      const { scene, graph, found } = createDerive(() => closerLook)(state);
-      const ordinary = createDerive(() => closerLook)(base);
+      const { scene, graph, found } = createDerive(() => exploreDetails)(state);
+      const ordinary = createDerive(() => exploreDetails)(base);
       expect(found.class).toBe(ordinary.found.class);
       expect(scene.drawing.patches).toHaveLength(ordinary.scene.drawing.patches.length);
       expect(brokenNumbers(scene, (path) => TOLD.test(path))).toEqual([]);
@@ -434,7 +434,7 @@ const RUNS = many(800);
 test(`nothing breaks a scene or a graph: ${RUNS} states up to ${PICTURED}, seed ${SEED}`, () => {
   fc.assert(
     fc.property(anyPicture, (state) => {
-      const { scene, graph, found } = createDerive(() => closerLook)(state);
+      const { scene, graph, found } = createDerive(() => exploreDetails)(state);
       const nan = (model: unknown) => brokenNumbers(model, () => true);
       // Hidden, and where a float method cannot decide, f is not known; the page says that.
       const isKnown = found.class !== 'undecided' && !graph.concealed;

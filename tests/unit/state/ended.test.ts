@@ -4,8 +4,8 @@ import { freedomOf } from '../../../src/lesson/freedom.ts';
 import { intersect, SHAPES, type Shape, type Solid } from '../../../src/math/index.ts';
 import { integer, seeded } from '../../../src/math/rng.ts';
 import { announcement } from '../../../src/state/announce.ts';
-import { closerLook } from '../../../src/state/closer-look.ts';
 import { createDerive } from '../../../src/state/derive.ts';
+import { exploreDetails } from '../../../src/state/explore-details.ts';
 import { fromFile, toFile } from '../../../src/state/file.ts';
 import { advance, historyOf } from '../../../src/state/history.ts';
 import { answerOf } from '../../../src/state/host-messages.ts';
@@ -14,7 +14,7 @@ import { type AppState, INITIAL, initialShape, PAGES } from '../../../src/state/
 import { update } from '../../../src/state/update.ts';
 import { decode, encode } from '../../../src/state/url.ts';
 
-const derive = createDerive(() => closerLook);
+const derive = createDerive(() => exploreDetails);
 const open = (query: string): AppState => decode(`#/explore?${query}`, INITIAL);
 const CAN = 'shape=cylinder&E=3,4,1&d=-1,-1,-0.3&C=0,1,0&r=1.5&between=0,2';
 

@@ -2,8 +2,8 @@ import { intersect, type Solid } from '../../../src/math/index.ts';
 import type { Ray } from '../../../src/math/ray.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
 import type { EndsValue } from '../../../src/state/actions.ts';
-import { closerLook } from '../../../src/state/closer-look.ts';
 import { createDerive, type ExploreModel } from '../../../src/state/derive.ts';
+import { exploreDetails } from '../../../src/state/explore-details.ts';
 import { INITIAL } from '../../../src/state/state.ts';
 import { share } from '../many.ts';
 import { rayCases } from '../math/read-vectors.ts';
@@ -143,7 +143,7 @@ export const HARD_CASES: readonly ExportCase[] = share(rayCases)
 
 /** The page's model of a case. */
 export function modelOf({ shape, ray: r, ends }: ExportCase, method = 'exact'): ExploreModel {
-  return createDerive(() => closerLook)({
+  return createDerive(() => exploreDetails)({
     ...INITIAL,
     kind: shape.kind,
     shapes: { ...INITIAL.shapes, [shape.kind]: shape },

@@ -6,7 +6,7 @@ import type { Vec3 } from '../../../src/math/vec3.ts';
 import type { Example } from '../../../src/state/gallery/define.ts';
 import { paramValue, rayOf, shapeOf } from '../../../src/state/state.ts';
 import { decode } from '../../../src/state/url.ts';
-import { hitWords } from '../../../src/state/words.ts';
+import { hitWords } from '../../../src/state/verdict-words.ts';
 import { display } from '../../../src/text/format.ts';
 import { curvedDetails, flatDetails, planeHit } from '../math/shorthand.ts';
 import { at, dot, f, figurePlace, flatOf, less, quadricOf } from './ray-oracle.ts';

@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
-import { closerLook } from '../../../src/state/closer-look.ts';
 import { createDerive } from '../../../src/state/derive.ts';
+import { exploreDetails } from '../../../src/state/explore-details.ts';
 import { GALLERY } from '../../../src/state/gallery/index.ts';
 import { decode } from '../../../src/state/url.ts';
 import { holds, subjectOf } from './gallery-claims.ts';
@@ -135,7 +135,7 @@ describe.each(GALLERY.map((entry) => [entry.id, entry] as const))('%s', (_, entr
   });
 
   test('the page beside it says the same', () => {
-    const { verdict, graph } = createDerive(() => closerLook)(state);
+    const { verdict, graph } = createDerive(() => exploreDetails)(state);
     const said = `${verdict.text}; E is ${graph.stretches.find(({ from }) => from >= 0)?.place}`;
     for (const claim of entry.told.flatMap(([, ...all]) => all)) {
       const own = state.method === 'textbook' ? claim.replace(/^textbook /, '') : claim;

@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { SHAPES } from '../../../src/math/index.ts';
-import { closerLook } from '../../../src/state/closer-look.ts';
 import { createDerive } from '../../../src/state/derive.ts';
+import { exploreDetails } from '../../../src/state/explore-details.ts';
 import type { Handle, PointHandle, ReachHandle } from '../../../src/state/handles.ts';
 import { INITIAL } from '../../../src/state/state.ts';
 import { update } from '../../../src/state/update.ts';
@@ -9,7 +9,7 @@ import { decode } from '../../../src/state/url.ts';
 
 const at = (link: string) => decode(`#/explore?method=exact&${link}`, INITIAL);
 const handlesAt = (link: string): readonly Handle[] =>
-  createDerive(() => closerLook)(at(link)).scene.handles;
+  createDerive(() => exploreDetails)(at(link)).scene.handles;
 const named = (link: string, symbol: string): Handle => {
   const found = handlesAt(link).find((handle) => handle.symbol === symbol);
   if (!found) throw new Error(`${symbol} has no handle in ${link}`);
@@ -46,7 +46,7 @@ describe('every shape', () => {
     for (const handle of handlesAt(link)) {
       const value = handle.type === 'point' ? ([0.25, 0.5, 2] as const) : 0.75;
       const after = update(before, handle.action(value));
-      const moved = createDerive(() => closerLook)(after).scene.handles;
+      const moved = createDerive(() => exploreDetails)(after).scene.handles;
       expect(moved.find(({ symbol }) => symbol === handle.symbol)?.value).toEqual(value);
       for (const other of moved) {
         if (other.symbol === handle.symbol) continue;
@@ -107,13 +107,13 @@ describe('tangency', () => {
   test('a flat shape has none, and hidden results do not give it away', () => {
     expect(named('shape=plane', 'E').tangency?.exact([1, 2, 3]).sign).toBeNull();
     const hidden = update(at('shape=cone'), { type: 'reveal', lines: 0 });
-    for (const handle of createDerive(() => closerLook)(hidden).scene.handles)
+    for (const handle of createDerive(() => exploreDetails)(hidden).scene.handles)
       expect(handle.tangency).toBeNull();
   });
 });
 
 test('handles keep their identity while nothing of theirs changes', () => {
-  const derive = createDerive(() => closerLook);
+  const derive = createDerive(() => exploreDetails);
   const state = at('shape=cone');
   const { handles } = derive(state).scene;
   expect(derive(update(state, { type: 'view', view: 'top' })).scene.handles).toBe(handles);

@@ -1,8 +1,8 @@
 import * as fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { closerLook } from '../../../src/state/closer-look.ts';
 import { createDerive } from '../../../src/state/derive.ts';
 import { PARTS } from '../../../src/state/embed.ts';
+import { exploreDetails } from '../../../src/state/explore-details.ts';
 import { answerOf, opened, readMessage } from '../../../src/state/host-messages.ts';
 import { INITIAL, shapeOf } from '../../../src/state/state.ts';
 import { update } from '../../../src/state/update.ts';
@@ -85,7 +85,7 @@ describe('a link of the host', () => {
 });
 
 describe('what is answered', () => {
-  const derive = createDerive(() => closerLook);
+  const derive = createDerive(() => exploreDetails);
 
   test(`is the state, and brings it back, seed ${SEED}`, () => {
     fc.assert(

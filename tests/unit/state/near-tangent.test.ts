@@ -9,9 +9,9 @@ import { type Random, seeded, uniform } from '../../../src/math/rng.ts';
 import { definitionOf } from '../../../src/math/shapes/lookup.ts';
 import { withPoint } from '../../../src/math/shapes/planar.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
-import { closerLook } from '../../../src/state/closer-look.ts';
 import { createDerive } from '../../../src/state/derive.ts';
-import { exactlyOf } from '../../../src/state/exactly.ts';
+import { exactResultOf } from '../../../src/state/exact-result.ts';
+import { exploreDetails } from '../../../src/state/explore-details.ts';
 import { advance, historyOf } from '../../../src/state/history.ts';
 import { distanceToSurface } from '../../../src/state/near-tangent.ts';
 import { nearestTangent } from '../../../src/state/nearest-tangent.ts';
@@ -58,7 +58,7 @@ function ordinary(kind: AppState['kind'], random: Random): AppState {
  * there is no such place.
  */
 function snapped(state: AppState, symbol: 'E' | 'd', random: Random): AppState | null {
-  const model = createDerive(() => closerLook)(state);
+  const model = createDerive(() => exploreDetails)(state);
   const handle = model.scene.handles.find((h) => h.symbol === symbol);
   if (!handle?.tangency || typeof handle.value === 'number') return null;
   const [from, course] = [handle.value, vector(random, symbol === 'E' ? 0.3 : 0.05)];
@@ -76,7 +76,7 @@ const cases = (kind: AppState['kind'], seed: number): AppState[] => {
 
 describe.each(CURVED)('%s', (kind) => {
   const states = cases(kind, 20260711);
-  const derive = createDerive(() => closerLook);
+  const derive = createDerive(() => exploreDetails);
 
   test('what a drag snaps to is said to touch as nearly as doubles can, later too', () => {
     expect(states.length).toBeGreaterThan(RANDOM_STATES / 3);
@@ -138,7 +138,7 @@ describe.each(CURVED)('%s', (kind) => {
       // Moved off a little more, so that plain doubles can measure it too.
       const E = state.E.map((x) => x + uniform(random, -1e-5, 1e-5)) as unknown as Vec3;
       const [shape, ray] = [shapeOf(state), { origin: E, direction: state.d }];
-      const found = distanceToSurface(shape, ray, exactlyOf(shape, ray));
+      const found = distanceToSurface(shape, ray, exactResultOf(shape, ray));
       if (found === null || found < 1e-8) continue;
       checked++;
       expect(measured(shape, ray) / found).toBeCloseTo(1, 2);
@@ -179,7 +179,7 @@ test('the miss of a cylinder is its axis’ distance less r, to the last digit',
   for (const state of cases('cylinder', 3)) {
     const shape = state.shapes.cylinder as Extract<Shape, { kind: 'cylinder' }>;
     const ray = rayOf(state);
-    const found = distanceToSurface(shape, ray, exactlyOf(shape, ray));
+    const found = distanceToSurface(shape, ray, exactResultOf(shape, ray));
     const of = exact.of;
     const [dx, dz] = [of(ray.direction[0]), of(ray.direction[2])];
     const x = exact.sub(of(ray.origin[0]), of(shape.center[0]));

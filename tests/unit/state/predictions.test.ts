@@ -1,12 +1,12 @@
 import { describe, expect, test } from 'vitest';
-import { ASKS } from '../../../src/state/ask.ts';
-import { closerLook } from '../../../src/state/closer-look.ts';
 import { createDerive, type ExploreModel } from '../../../src/state/derive.ts';
+import { exploreDetails } from '../../../src/state/explore-details.ts';
 import { GALLERY } from '../../../src/state/gallery/index.ts';
+import { ASKS } from '../../../src/state/prediction-ask.ts';
 import { type Guess, judgementOf, QUESTIONS, questionOf } from '../../../src/state/predictions.ts';
 import { decode } from '../../../src/state/url.ts';
 
-const modelOf = (link: string): ExploreModel => createDerive(() => closerLook)(decode(link));
+const modelOf = (link: string): ExploreModel => createDerive(() => exploreDetails)(decode(link));
 const isCurved = (model: ExploreModel): boolean => model.found.details.family === 'curved';
 
 /** The right answer, by the exact method and without the formulas that the judgement uses. */

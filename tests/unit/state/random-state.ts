@@ -5,12 +5,12 @@ import type { Shape } from '../../../src/math/shapes/index.ts';
 import type { Param } from '../../../src/math/shapes/params.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import type { Action } from '../../../src/state/actions.ts';
-import { ASKS } from '../../../src/state/ask.ts';
+import { NAMED_VIEWS, ZOOM_RANGE } from '../../../src/state/camera-view.ts';
 import { LINK_THEMES, PARTS } from '../../../src/state/embed.ts';
 import type { Between } from '../../../src/state/heights.ts';
+import { ASKS } from '../../../src/state/prediction-ask.ts';
 import { type AppState, INITIAL, PAGES } from '../../../src/state/state.ts';
 import { update } from '../../../src/state/update.ts';
-import { NAMED_VIEWS, ZOOM_RANGE } from '../../../src/state/view.ts';
 import { parseNumber } from '../../../src/text/parse.ts';
 
 /** Every finite double: −0, subnormals and MAX_VALUE come up often, ordinary numbers too. */

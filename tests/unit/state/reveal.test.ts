@@ -1,20 +1,20 @@
 import { describe, expect, test } from 'vitest';
 import './gallery-loaded.ts';
 import { announcement } from '../../../src/state/announce.ts';
-import { closerLook } from '../../../src/state/closer-look.ts';
 import { createDerive } from '../../../src/state/derive.ts';
 import { titleOf } from '../../../src/state/example.ts';
+import { exploreDetails } from '../../../src/state/explore-details.ts';
 import { GALLERY } from '../../../src/state/gallery/index.ts';
+import { rootsOf } from '../../../src/state/graph-window.ts';
 import { lineCount } from '../../../src/state/reveal.ts';
 import { clipToStage } from '../../../src/state/scene.ts';
 import { stageAround } from '../../../src/state/stage.ts';
 import { INITIAL } from '../../../src/state/state.ts';
 import { update } from '../../../src/state/update.ts';
 import { decode } from '../../../src/state/url.ts';
-import { rootsOf } from '../../../src/state/window.ts';
 
 const at = (link: string, lines: number | null) =>
-  createDerive(() => closerLook)(
+  createDerive(() => exploreDetails)(
     update({ ...decode(link, INITIAL), revealed: lines }, { type: 'reveal', lines }),
   );
 
@@ -55,7 +55,7 @@ test('the segments of a hidden scene are one piece before and after E', () => {
 });
 
 describe.each(GALLERY.map((entry) => [entry.id, entry] as const))('hidden, %s', (_, entry) => {
-  const derive = createDerive(() => closerLook);
+  const derive = createDerive(() => exploreDetails);
   const state = update(decode(entry.link, INITIAL), { type: 'reveal', lines: 0 });
   const { scene, shape, ray, example, graph } = derive(update(state, { type: 'ghost', on: true }));
 
@@ -105,7 +105,7 @@ test('a bead that was put on the ray is shown where that is asked, and nowhere e
 
 test('a line without roots is drawn through the whole stage', () => {
   for (const { id, link } of GALLERY) {
-    const { scene, found, ray } = createDerive(() => closerLook)(decode(link, INITIAL));
+    const { scene, found, ray } = createDerive(() => exploreDetails)(decode(link, INITIAL));
     if (rootsOf(found).length > 0) continue;
     const whole = clipToStage(ray, scene.stage, { from: -Infinity, to: Infinity });
     expect(scene.ray.segments[0]?.from, id).toBe(whole?.from);

@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { closerLook } from '../../../src/state/closer-look.ts';
 import { createDerive } from '../../../src/state/derive.ts';
+import { exploreDetails } from '../../../src/state/explore-details.ts';
 import { pitchOf, REFERENCE_HZ, type Score, scoreOf } from '../../../src/state/sonification.ts';
 import { INITIAL } from '../../../src/state/state.ts';
 import { decode } from '../../../src/state/url.ts';
@@ -9,7 +9,7 @@ import { many } from '../many.ts';
 import { anyPicture } from './random-state.ts';
 
 const scoreAt = (link: string): Score =>
-  scoreOf(createDerive(() => closerLook)(decode(`#/explore?${link}`, INITIAL)).graph);
+  scoreOf(createDerive(() => exploreDetails)(decode(`#/explore?${link}`, INITIAL)).graph);
 
 /** t of a moment. */
 const tAt = ({ from, to, seconds }: Score, at: number): number =>
@@ -74,7 +74,7 @@ describe('what is heard', () => {
   });
 
   test('of any state: in order, within its time, finite, and silent only inside', () => {
-    const derive = createDerive(() => closerLook);
+    const derive = createDerive(() => exploreDetails);
     fc.assert(
       fc.property(anyPicture, (state) => {
         const { graph } = derive({ ...state, revealed: null });

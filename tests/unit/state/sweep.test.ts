@@ -1,8 +1,8 @@
 import { describe, expect, test } from 'vitest';
 import { intersect, SHAPES } from '../../../src/math/index.ts';
 import { AXES, definitionOf, nextDown, nextUp } from '../../../src/math/shapes.ts';
-import { closerLook } from '../../../src/state/closer-look.ts';
 import { createDerive } from '../../../src/state/derive.ts';
+import { exploreDetails } from '../../../src/state/explore-details.ts';
 import { type AppState, INITIAL, RAY_PARAMS, rayOf, shapeOf } from '../../../src/state/state.ts';
 import {
   playedAt,
@@ -12,7 +12,7 @@ import {
   valueAt,
   withNumber,
 } from '../../../src/state/sweep.ts';
-import { graphTrail, heldFor, sceneTrail } from '../../../src/state/sweep-trail.ts';
+import { graphTrail, sceneTrail, sweepFrame } from '../../../src/state/sweep-frame.ts';
 import { update } from '../../../src/state/update.ts';
 import { decode } from '../../../src/state/url.ts';
 
@@ -90,8 +90,8 @@ describe.each(NUMBERS)('%s: %s', (_, label, state) => {
 
   test('its trail are hits, drawn in the part of the world that is held', () => {
     if (!sweep) return;
-    const { stage, window } = heldFor(state, sweep);
-    const own = createDerive(() => closerLook)(state);
+    const { stage, window } = sweepFrame(state, sweep);
+    const own = createDerive(() => exploreDetails)(state);
     expect(stage.radius).toBeGreaterThanOrEqual(own.scene.stage.radius);
     expect(window.from).toBeLessThanOrEqual(own.graph.from);
     expect(window.high).toBeGreaterThanOrEqual(own.graph.high);
@@ -122,7 +122,7 @@ test('r goes through tangency, and both ways of the hits meet there', () => {
   expect(sweep?.boundaries).toEqual([{ value: 1, what: 'D = 0', isExact: true }]);
   expect(sweep?.text).toBe('r from 0.8 to 1.5: D = 0 at r = 1');
   if (!sweep) return;
-  const ways = sceneTrail(sweep, [sweep.low, sweep.high], heldFor(state, sweep).stage);
+  const ways = sceneTrail(sweep, [sweep.low, sweep.high], sweepFrame(state, sweep).stage);
   expect(ways.map(({ points }) => points[0])).toEqual([
     [0, 1, 1],
     [0, 1, 1],

@@ -2,6 +2,7 @@ import { describe, expect, test } from 'vitest';
 import { METHODS, SHAPES } from '../../../src/math/index.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import type { Action } from '../../../src/state/actions.ts';
+import { NAMED_VIEWS } from '../../../src/state/camera-view.ts';
 import {
   type AppState,
   INITIAL,
@@ -13,7 +14,6 @@ import {
 } from '../../../src/state/state.ts';
 import { createStore } from '../../../src/state/store.ts';
 import { update } from '../../../src/state/update.ts';
-import { NAMED_VIEWS } from '../../../src/state/view.ts';
 
 const having = (...actions: Action[]): AppState => actions.reduce(update, INITIAL);
 const [NAN, INF] = [Number.NaN, Infinity];

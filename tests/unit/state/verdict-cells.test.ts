@@ -6,7 +6,7 @@ import { seeded } from '../../../src/math/rng.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
 import type { Comparison } from '../../../src/state/verdict-parts.ts';
 import * as table from '../../../src/state/verdict-table.ts';
-import { hitWords, verdictWords } from '../../../src/state/words.ts';
+import { hitWords, verdictWords } from '../../../src/state/verdict-words.ts';
 import {
   at,
   type Course,

@@ -1,12 +1,12 @@
 import { expect, test } from 'vitest';
-import { closerLook } from '../../../src/state/closer-look.ts';
 import { createDerive } from '../../../src/state/derive.ts';
+import { exploreDetails } from '../../../src/state/explore-details.ts';
 import { decode } from '../../../src/state/url.ts';
 import { graphAt, sceneAt } from '../../../src/state/walk-figures.ts';
 
 /* What the walk adds to scene and graph: by hand, for rays of whole numbers. */
 
-const modelOf = (link: string) => createDerive(() => closerLook)(decode(`#/explore?${link}`));
+const modelOf = (link: string) => createDerive(() => exploreDetails)(decode(`#/explore?${link}`));
 
 /** 3 beside the axis of a cylinder of radius 5: f(t) = (t − 10)² + 9 − 25. */
 const CYLINDER = 'shape=cylinder&C=0,0,0&r=5&E=-10,2,3&d=1,0,0';

@@ -1,15 +1,15 @@
 import { describe, expect, test } from 'vitest';
 import { levelOf } from '../../../src/math/formula.ts';
 import { type Hit, intersect, type Shape, type Vec3 } from '../../../src/math/index.ts';
-import { closerLook } from '../../../src/state/closer-look.ts';
 import { createDerive } from '../../../src/state/derive.ts';
+import { exploreDetails } from '../../../src/state/explore-details.ts';
 import { GALLERY } from '../../../src/state/gallery/index.ts';
 import { decode } from '../../../src/state/url.ts';
 import { hitOfNormal, sceneAt } from '../../../src/state/walk-figures.ts';
 import { type NormalFigure, normalFigure } from '../../../src/state/walk-normal.ts';
 import { nudgeWords } from '../../../src/state/walk-words.ts';
 
-const derive = createDerive(() => closerLook);
+const derive = createDerive(() => exploreDetails);
 const modelOf = (link: string) => derive(decode(`#/explore?${link}`));
 
 const dot = (a: Vec3, b: Vec3): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];

@@ -1,8 +1,8 @@
 import { describe, expect, test } from 'vitest';
 import type { EffectId } from '../../../src/scene/effects/index.ts';
 import { findPreset, PRESETS } from '../../../src/scene/presets/index.ts';
-import { wholeOf } from '../../../src/state/picture/against.ts';
 import { TRIED } from '../../../src/state/picture/budget.ts';
+import { wholeOf } from '../../../src/state/picture/comparison.ts';
 import {
   type Choice,
   differencesFrom,

@@ -3,7 +3,7 @@ import { EFFECTS } from '../../../src/scene/effects/index.ts';
 import { findPreset, PRESETS } from '../../../src/scene/presets/index.ts';
 import { surfacesOf } from '../../../src/scene/surfaces.ts';
 import type { Scene } from '../../../src/scene/types.ts';
-import { AGAINST, firstAgainst, otherSide } from '../../../src/state/picture/against.ts';
+import { AGAINST, firstAgainst, otherSide } from '../../../src/state/picture/comparison.ts';
 import { comparePictures } from '../../../src/tracer/compare.ts';
 import { totalOf } from '../../../src/tracer/ledger.ts';
 import { DEFAULT_SETTINGS, type TraceSettings } from '../../../src/tracer/types.ts';

@@ -6,7 +6,7 @@ import { clampZoom, MEASURES, type Measure, MIDDLE, ZOOMS } from '../../../lab/a
 import { type Choice, tabs } from '../../../panels/choices.ts';
 import { type Atlas, MAP_CHOICES } from '../../../state/accuracy/atlas.ts';
 import type { AccuracySettings } from '../../../state/accuracy/settings.ts';
-import { readStart, START_TEXTS, startWords } from '../../../state/picture/start.ts';
+import { readStartRule, START_TEXTS, startWords } from '../../../state/picture/start-rule.ts';
 import { display } from '../../../text/format.ts';
 
 interface Actions {
@@ -115,7 +115,7 @@ const ASKED: readonly Choice[] = [
 ];
 const RULES: readonly Choice[] = START_TEXTS.map((id) => ({
   id,
-  title: startWords(readStart(id)),
+  title: startWords(readStartRule(id)),
 }));
 
 function select(

@@ -2,13 +2,13 @@ import { expect, test } from 'vitest';
 import { SHAPES } from '../../../../src/math/index.ts';
 import { integer, seeded } from '../../../../src/math/rng.ts';
 import { CHALLENGES } from '../../../../src/pages/explore/challenges.ts';
-import { closerLook } from '../../../../src/state/closer-look.ts';
 import { createDerive } from '../../../../src/state/derive.ts';
+import { exploreDetails } from '../../../../src/state/explore-details.ts';
 import { type AppState, INITIAL, RAY_PARAMS } from '../../../../src/state/state.ts';
 import { decode } from '../../../../src/state/url.ts';
 
 const metIn = (state: AppState): readonly string[] => {
-  const model = createDerive(() => closerLook)(state);
+  const model = createDerive(() => exploreDetails)(state);
   const { shape } = model;
   return CHALLENGES.filter(
     ({ kind, met }) => (kind ?? shape.kind) === shape.kind && met(model) !== null,

@@ -11,12 +11,12 @@ import { galleryContent } from '../../../../src/pages/gallery.ts';
 import { algebra } from '../../../../src/panels/algebra.ts';
 import { normalLine } from '../../../../src/panels/normal-line.ts';
 import { announcement } from '../../../../src/state/announce.ts';
-import { ASKS } from '../../../../src/state/ask.ts';
-import { closerLook } from '../../../../src/state/closer-look.ts';
 import { createDerive, type ExploreModel } from '../../../../src/state/derive.ts';
+import { exploreDetails } from '../../../../src/state/explore-details.ts';
 import { GALLERY } from '../../../../src/state/gallery/index.ts';
 import { graphOf } from '../../../../src/state/graph.ts';
-import { withoutResults, withoutRoots } from '../../../../src/state/hidden.ts';
+import { withoutResults, withoutRoots } from '../../../../src/state/hidden-results.ts';
+import { ASKS } from '../../../../src/state/prediction-ask.ts';
 import { sceneOf } from '../../../../src/state/scene.ts';
 import { stageAround } from '../../../../src/state/stage.ts';
 import { type AppState, INITIAL } from '../../../../src/state/state.ts';
@@ -79,7 +79,7 @@ describe.each(Object.entries(DRAWS))('%s', (_, draw) => {
       const pages = new Map<string, string>();
       for (let round = 0; round < 16; round++) {
         const ray = drawRay(random, shape);
-        const model = createDerive(() => closerLook)(stateOf(shape, ray));
+        const model = createDerive(() => exploreDetails)(stateOf(shape, ray));
         classes.add(model.found.class);
         pages.set(pageOf(model), JSON.stringify(ray));
       }
@@ -92,7 +92,7 @@ describe.each(Object.entries(DRAWS))('%s', (_, draw) => {
     for (const shape of shapes) {
       const ray = drawRay(random, shape);
       const stage = stageAround(shape, [ray.origin]);
-      const drawing = createDerive(() => closerLook)(stateOf(shape, ray)).scene.drawing;
+      const drawing = createDerive(() => exploreDetails)(stateOf(shape, ray)).scene.drawing;
       for (const ask of ASKS) {
         const state = { ...stateOf(shape, ray), ask };
         const seen = new Set<string>();
@@ -115,7 +115,7 @@ describe.each(Object.entries(DRAWS))('%s', (_, draw) => {
 });
 
 test.each(ASKS)('asked for %s, no example has a word of its story on the page', (ask) => {
-  const derive = createDerive(() => closerLook);
+  const derive = createDerive(() => exploreDetails);
   let before = derive({ ...INITIAL, revealed: 0 });
   for (const { id, link, title, asks, answer } of GALLERY) {
     const model = derive({ ...decode(link), revealed: 0, ask, example: id });
@@ -142,7 +142,7 @@ test('the gallery has numbers alone', () => {
 });
 
 test('nothing can be taken home but pictures of the scene', () => {
-  const model = createDerive(() => closerLook)({ ...INITIAL, revealed: 0 });
+  const model = createDerive(() => exploreDetails)({ ...INITIAL, revealed: 0 });
   const stub = { graph: () => null } as unknown as Parameters<typeof exploreExports>[0];
   expect(exploreExports(stub, () => model).map(({ id }) => id)).toEqual([
     'picture-svg',
@@ -151,6 +151,6 @@ test('nothing can be taken home but pictures of the scene', () => {
 });
 
 test('hiding takes the bead away from where it may tell a root', () => {
-  const derive = createDerive(() => closerLook);
+  const derive = createDerive(() => exploreDetails);
   expect(derive({ ...INITIAL, revealed: 0, bead: 2, ask: 'points' }).scene.bead).toBeNull();
 });

@@ -1,9 +1,9 @@
 import { describe, expect, test } from 'vitest';
 import type { Vec3 } from '../../../../src/math/index.ts';
-import { dragTo, thingAt } from '../../../../src/pages/picture/drags.ts';
+import { dragTo, thingAt } from '../../../../src/pages/picture/dragged-thing.ts';
 import { PRESETS } from '../../../../src/scene/presets/index.ts';
 import { surfacesOf } from '../../../../src/scene/surfaces.ts';
-import { ALONG, type Along } from '../../../../src/state/picture/drag.ts';
+import { DRAG_PLANES, type DragPlane } from '../../../../src/state/picture/drag.ts';
 import { picture } from '../../tracer/tracing.ts';
 
 /** The pixel in the middle of what is seen of a thing, or null if it is hardly seen. */
@@ -27,7 +27,7 @@ function middleOf(
 }
 
 /** The middle of what is seen of a thing after it was dragged by so many pixels. */
-async function afterDrag(along: Along, dx: number, dy: number) {
+async function afterDrag(along: DragPlane, dx: number, dy: number) {
   const preset = PRESETS.find(({ id }) => id === 'cone-on-mirror');
   if (!preset) throw new Error('no preset');
   const before = await picture(preset.scene);
@@ -71,7 +71,7 @@ describe('a thing dragged in the picture', () => {
     for (const { scene } of PRESETS) {
       const seen = await picture(scene);
       const held = thingAt(scene, seen, 24, 14);
-      for (const along of ALONG) {
+      for (const along of DRAG_PLANES) {
         if (held) expect(dragTo(held, 24, 14, along)(scene)).toEqual(scene);
       }
     }

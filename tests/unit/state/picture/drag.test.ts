@@ -3,14 +3,14 @@ import { describe, expect, test } from 'vitest';
 import type { Vec3 } from '../../../../src/math/index.ts';
 import { PRESETS } from '../../../../src/scene/presets/index.ts';
 import {
-  ALONG,
+  arrowMove,
+  arrowStep,
+  type CameraFrame,
+  DRAG_PLANES,
   dragged,
-  type Lens,
   movedFrom,
-  nudged,
-  spotOf,
-  stepIn,
-  through,
+  projectedPoint,
+  rayThrough,
 } from '../../../../src/state/picture/drag.ts';
 import { refusalOf } from '../../../../src/state/picture/edits.ts';
 import { cameraAxes } from '../../../../src/tracer/camera.ts';
@@ -19,11 +19,11 @@ const SIZE = { width: 320, height: 180 };
 const within = (min: number, max: number) => fc.double({ min, max, noNaN: true });
 const at = fc.tuple(within(5, 315), within(5, 175));
 const point = (): fc.Arbitrary<Vec3> => fc.tuple(within(-6, 6), within(-6, 6), within(-6, 6));
-const lens = fc
+const frame = fc
   .record({ eye: point(), target: point(), angle: within(10, 90) })
   .filter(({ eye, target }) => Math.hypot(...eye.map((x, i) => x - (target[i] as number))) > 1)
-  .map((camera): Lens => ({ ...cameraAxes(camera, 16 / 9), ...SIZE }));
-const along = fc.constantFrom(...ALONG);
+  .map((camera): CameraFrame => ({ ...cameraAxes(camera, 16 / 9), ...SIZE }));
+const along = fc.constantFrom(...DRAG_PLANES);
 const plus = (p: Vec3, by: Vec3, s = 1): Vec3 => [
   p[0] + s * by[0],
   p[1] + s * by[1],
@@ -33,7 +33,7 @@ const plus = (p: Vec3, by: Vec3, s = 1): Vec3 => [
 describe('a drag', () => {
   test('keeps to its plane, whatever the camera', () => {
     fc.assert(
-      fc.property(lens, point(), at, at, along, (camera, p, from, to, which) => {
+      fc.property(frame, point(), at, at, along, (camera, p, from, to, which) => {
         const by = dragged(camera, p, from, to, which);
         expect(by.every(Number.isFinite)).toBe(true);
         if (which === 'floor') expect(by[1]).toBe(0);
@@ -49,7 +49,7 @@ describe('a drag', () => {
 
   test('moves nothing where the pointer has come back', () => {
     fc.assert(
-      fc.property(lens, point(), at, along, (camera, p, from, which) => {
+      fc.property(frame, point(), at, along, (camera, p, from, which) => {
         expect(dragged(camera, p, from, from, which)).toEqual([0, 0, 0]);
       }),
     );
@@ -58,11 +58,11 @@ describe('a drag', () => {
   test('keeps what is held under the pointer, where its plane is seen there', () => {
     let followed = 0;
     fc.assert(
-      fc.property(lens, at, at, along, (camera, from, to, which) => {
+      fc.property(frame, at, at, along, (camera, from, to, which) => {
         const depth = 5;
-        const held = plus(camera.eye, through(camera, from), depth);
-        const spot = spotOf(camera, plus(held, dragged(camera, held, from, to, which)));
-        const way = through(camera, to);
+        const held = plus(camera.eye, rayThrough(camera, from), depth);
+        const spot = projectedPoint(camera, plus(held, dragged(camera, held, from, to, which)));
+        const way = rayThrough(camera, to);
         const normal: Vec3 = which === 'floor' ? [0, 1, 0] : [camera.ahead[0], 0, camera.ahead[2]];
         const dot = (a: Vec3, b: Vec3) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
         const rate = dot(way, normal) / Math.hypot(...normal);
@@ -79,8 +79,8 @@ describe('a drag', () => {
 
 test('arrow keys move along axes of the world, there and back', () => {
   fc.assert(
-    fc.property(lens, along, (camera, which) => {
-      const move = (key: string) => nudged(camera, key, 0.5, which) as Vec3;
+    fc.property(frame, along, (camera, which) => {
+      const move = (key: string) => arrowMove(camera, key, 0.5, which) as Vec3;
       for (const [one, other] of [
         ['ArrowLeft', 'ArrowRight'],
         ['ArrowUp', 'ArrowDown'],
@@ -93,7 +93,7 @@ test('arrow keys move along axes of the world, there and back', () => {
       expect(all.reduce((sum, by) => plus(sum, by.map(Math.abs) as never), [0, 0, 0])).toEqual([
         ...[0.5, 0.5, 0.5],
       ]);
-      expect(nudged(camera, 'a', 1, which)).toBeNull();
+      expect(arrowMove(camera, 'a', 1, which)).toBeNull();
     }),
   );
 });
@@ -101,7 +101,7 @@ test('arrow keys move along axes of the world, there and back', () => {
 test('things and lights of every scene are moved, with their heights, and stay in order', () => {
   for (const { scene } of PRESETS) {
     for (const { id } of [...scene.things, ...scene.lights]) {
-      const step = stepIn(scene, id, false);
+      const step = arrowStep(scene, id, false);
       const moved = movedFrom(scene, id, [step, 0, -step])(scene);
       // Hills a million million times as large are moved by nothing.
       if (!id.endsWith('hill')) expect(moved).not.toEqual(scene);
@@ -118,7 +118,7 @@ test('a step turns the sun of every scene by a few degrees', () => {
   for (const { scene } of PRESETS) {
     for (const light of scene.lights) {
       if (light.light !== 'sun') continue;
-      const turn = stepIn(scene, light.id, false) / Math.hypot(...light.towards);
+      const turn = arrowStep(scene, light.id, false) / Math.hypot(...light.towards);
       expect.soft(Math.abs(turn - 1 / 30), scene.title).toBeLessThan(1 / 60);
     }
   }

@@ -12,7 +12,7 @@ import {
   msWords,
   percent,
 } from '../../../../src/state/picture/ledger.ts';
-import { LEAST_REPEATS, type Run, timesOf } from '../../../../src/state/picture/times.ts';
+import { LEAST_REPEATS, type Repeat, timesOf } from '../../../../src/state/picture/times.ts';
 import { comparePictures } from '../../../../src/tracer/compare.ts';
 import { DEFAULT_SETTINGS, type Ledger } from '../../../../src/tracer/types.ts';
 import { picture } from '../../tracer/tracing.ts';
@@ -43,7 +43,7 @@ const LEDGER: Ledger = {
 const TIMES = timesOf(Array.from({ length: 5 }, () => ({ ledger: LEDGER, waited: 6, workers: 2 })));
 
 describe('times of repeats', () => {
-  const run = (ms: number, waited: number, workers = 2): Run => ({
+  const run = (ms: number, waited: number, workers = 2): Repeat => ({
     ledger: {
       ...LEDGER,
       camera: { ...LEDGER.camera, ms },

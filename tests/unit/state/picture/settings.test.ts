@@ -4,9 +4,9 @@ import { addThing, remove } from '../../../../src/scene/edit.ts';
 import { EFFECTS } from '../../../../src/scene/effects/index.ts';
 import { sceneToJson } from '../../../../src/scene/json.ts';
 import { PRESETS } from '../../../../src/scene/presets/index.ts';
-import { AGAINST, lessWords, otherSide } from '../../../../src/state/picture/against.ts';
 import { BUDGET, budgetWords } from '../../../../src/state/picture/budget.ts';
 import { causeWords } from '../../../../src/state/picture/compare-words.ts';
+import { AGAINST, lessWords, otherSide } from '../../../../src/state/picture/comparison.ts';
 import { newThing } from '../../../../src/state/picture/edits.ts';
 import { sceneFromText, textOfScene } from '../../../../src/state/picture/scene-link.ts';
 import {
@@ -15,7 +15,7 @@ import {
   pictureSettings,
   readPicture,
 } from '../../../../src/state/picture/settings.ts';
-import { readStart, startText } from '../../../../src/state/picture/start.ts';
+import { readStartRule, startText } from '../../../../src/state/picture/start-rule.ts';
 import { decode, encode } from '../../../../src/state/url.ts';
 import { DEFAULT_SETTINGS } from '../../../../src/tracer/types.ts';
 import { OLD_SCENES } from './old-scenes.ts';
@@ -241,10 +241,10 @@ describe('a budget', () => {
 
 describe('the start rule', () => {
   test.each(['from', 'none', '1e-9', '0.3', '5e-324', '1e300'])('%s', (text) => {
-    expect(startText(readStart(text))).toBe(text);
+    expect(startText(readStartRule(text))).toBe(text);
   });
   test.each(['0', '-1', 'no', '', 'Infinity', 'NaN'])('%s is refused', (text) => {
-    expect(() => readStart(text)).toThrow('is not from, none or a positive number');
+    expect(() => readStartRule(text)).toThrow('is not from, none or a positive number');
   });
 });
 

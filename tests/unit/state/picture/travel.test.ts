@@ -1,11 +1,11 @@
 import { describe, expect, test } from 'vitest';
 import { PRESETS } from '../../../../src/scene/presets/index.ts';
-import { closerLook } from '../../../../src/state/closer-look.ts';
 import { createDerive } from '../../../../src/state/derive.ts';
+import { exploreDetails } from '../../../../src/state/explore-details.ts';
 import { exploreLink } from '../../../../src/state/explore-link.ts';
-import { startedOf } from '../../../../src/state/explore-start.ts';
 import { pictureSettings } from '../../../../src/state/picture/settings.ts';
 import { type TreeRow, treeRows } from '../../../../src/state/picture/tree-rows.ts';
+import { startOutcomeOf } from '../../../../src/state/start-outcome.ts';
 import { type AppState, INITIAL } from '../../../../src/state/state.ts';
 import { update } from '../../../../src/state/update.ts';
 import { decode, encode } from '../../../../src/state/url.ts';
@@ -16,7 +16,7 @@ import { TINY, tracerFor } from '../../tracer/tracing.ts';
 /* From a pixel's ray to Explore and back: shape, heights, caps, method and start rule. */
 
 const ALL: ReadonlySet<string> = new Set();
-const derive = createDerive(() => closerLook);
+const derive = createDerive(() => exploreDetails);
 
 /** Rows of every 127th pixel. */
 async function rowsOf(
@@ -56,7 +56,11 @@ describe.each(RULES)('by %o', (how) => {
       // The shape itself, with the numbers that it has in the scene.
       expect(state.shapes[state.kind]).toEqual(opens.shape);
       if (node.end.end === 'hit') {
-        expect([opens, ray, startedOf(derive(state))?.first]).toEqual([opens, ray, node.end.t]);
+        expect([opens, ray, startOutcomeOf(derive(state))?.first]).toEqual([
+          opens,
+          ray,
+          node.end.t,
+        ]);
       }
     }
   });
@@ -77,7 +81,7 @@ test('back from Explore the picture is as it was, with its pixel', () => {
 describe('a start rule on Explore', () => {
   const from = (hash: string) => {
     const state: AppState = decode(hash);
-    return { state, started: startedOf(derive(state)) };
+    return { state, started: startOutcomeOf(derive(state)) };
   };
 
   test('without one nothing is said, and links have none', () => {

@@ -3,7 +3,7 @@ import { intersect } from '../../../../src/math/index.ts';
 import { PRESETS } from '../../../../src/scene/presets/index.ts';
 import { sixShapes } from '../../../../src/scene/presets/six-shapes.ts';
 import { exploreLink } from '../../../../src/state/explore-link.ts';
-import { surfaceSteps } from '../../../../src/state/picture/hit-steps.ts';
+import { surfaceSteps } from '../../../../src/state/picture/surface-steps.ts';
 import { type TreeRow, treeRows } from '../../../../src/state/picture/tree-rows.ts';
 import { treeScene } from '../../../../src/state/picture/tree-scene.ts';
 import { decode } from '../../../../src/state/url.ts';
@@ -104,7 +104,7 @@ describe('the rays of a pixel as a list', () => {
 
   test('its algebra has the numbers of the method', () => {
     for (const { all } of FOUND.filter((_, i) => i % 9 === 0)) {
-      for (const { shape, meeting } of all) {
+      for (const { shape, rootFilter: meeting } of all) {
         const steps = shape && surfaceSteps(shape, meeting, 'certified');
         expect(steps?.lines.length).toBeGreaterThan(0);
         expect(steps?.verdict).not.toBe('');
@@ -126,7 +126,7 @@ describe('the rays of a pixel as a list', () => {
       const fates: Record<string, number> = {};
       let hits = 0;
       for (const { all } of Object.keys(how).length > 0 ? await trees(how) : FOUND) {
-        for (const { shape, meeting, node, rest } of all) {
+        for (const { shape, rootFilter: meeting, node, rest } of all) {
           const method = 'method' in how ? how.method : 'certified';
           const steps = shape && surfaceSteps(shape, meeting, method);
           if (!steps) continue;

@@ -2,13 +2,13 @@ import { type Hit, InvalidInput, intersect } from '../math/index.ts';
 import { display } from '../text/format.ts';
 import type { StartRule } from '../tracer/types.ts';
 import type { ExploreModel } from './derive.ts';
-import { readStart } from './picture/start.ts';
+import { readStartRule } from './picture/start-rule.ts';
 
-/** What the start rule makes of a ray that comes from a picture. */
-interface Started {
+/** The effect of the start rule on a ray that was opened from a picture. */
+interface StartOutcome {
   /** Null for a rule that nobody can read. */
   readonly rule: StartRule['rule'] | null;
-  /** t where the ray starts, or that is too near; null if no hit is left out. */
+  /** t of the hit that the rule drops; null if it drops none. */
   readonly dropped: number | null;
   /** t of the first hit that counts in the picture; null for none. */
   readonly first: number | null;
@@ -16,18 +16,18 @@ interface Started {
 }
 
 /** Null for a ray without a start rule. */
-export function startedOf(model: ExploreModel): Started | null {
+export function startOutcomeOf(model: ExploreModel): StartOutcome | null {
   const text = model.state.settings.explore.start;
   if (text === undefined) return null;
   try {
-    return startedBy(readStart(text), model);
+    return outcomeBy(readStartRule(text), model);
   } catch (error) {
     if (!(error instanceof InvalidInput)) throw error;
     return { rule: null, dropped: null, first: null, words: `start: ${error.message}` };
   }
 }
 
-function startedBy(start: StartRule, model: ExploreModel): Started {
+function outcomeBy(start: StartRule, model: ExploreModel): StartOutcome {
   const { rule } = start;
   const hits = model.ended?.hits ?? model.found.hits;
   const there = hits.filter((hit) => !isCut(hit, model));

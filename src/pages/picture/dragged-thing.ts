@@ -1,7 +1,13 @@
 import type { Vec3 } from '../../math/index.ts';
 import { surfacesOf } from '../../scene/surfaces.ts';
 import type { Scene } from '../../scene/types.ts';
-import { type Along, dragged, type Lens, movedFrom, through } from '../../state/picture/drag.ts';
+import {
+  type CameraFrame,
+  type DragPlane,
+  dragged,
+  movedFrom,
+  rayThrough,
+} from '../../state/picture/drag.ts';
 import { cameraAxes } from '../../tracer/camera.ts';
 import type { Picture } from '../../tracer/compare.ts';
 
@@ -13,11 +19,11 @@ export interface DraggedThing {
   /** The point that is held, in the world, and its place in the picture. */
   readonly at: Vec3;
   readonly from: readonly [x: number, y: number];
-  readonly lens: Lens;
+  readonly frame: CameraFrame;
 }
 
 /** The scene's camera for a picture of this size. */
-export const lensOf = ({ camera }: Scene, width: number, height: number): Lens => ({
+export const cameraFrameOf = ({ camera }: Scene, width: number, height: number): CameraFrame => ({
   ...cameraAxes(camera, width / height),
   width,
   height,
@@ -31,18 +37,18 @@ export function thingAt(scene: Scene, seen: Picture, x: number, y: number): Drag
   const thing = surface && scene.things[surface.thing];
   const t = seen.t[pixel] ?? Number.NaN;
   if (!thing || Number.isNaN(t)) return null;
-  const lens = lensOf(scene, width, height);
-  const middle = through(lens, [Math.floor(x) + 0.5, Math.floor(y) + 0.5]);
-  const way = through(lens, [x, y]);
+  const cameraFrame = cameraFrameOf(scene, width, height);
+  const middle = rayThrough(cameraFrame, [Math.floor(x) + 0.5, Math.floor(y) + 0.5]);
+  const way = rayThrough(cameraFrame, [x, y]);
   const depth = t / Math.hypot(...middle);
-  const at = (i: 0 | 1 | 2): number => lens.eye[i] + depth * way[i];
-  return { scene, id: thing.id, at: [at(0), at(1), at(2)], from: [x, y], lens };
+  const at = (i: 0 | 1 | 2): number => cameraFrame.eye[i] + depth * way[i];
+  return { scene, id: thing.id, at: [at(0), at(1), at(2)], from: [x, y], frame: cameraFrame };
 }
 
 /** The scene's edit that drags what is held to another place of the picture. */
 export const dragTo = (
-  { scene, id, at, from, lens }: DraggedThing,
+  { scene, id, at, from, frame }: DraggedThing,
   x: number,
   y: number,
-  along: Along,
-): ((now: Scene) => Scene) => movedFrom(scene, id, dragged(lens, at, from, [x, y], along));
+  along: DragPlane,
+): ((now: Scene) => Scene) => movedFrom(scene, id, dragged(frame, at, from, [x, y], along));

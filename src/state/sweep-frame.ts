@@ -9,21 +9,21 @@ import { type AppState, rayOf, shapeOf } from './state.ts';
 import { stretchesOf } from './stretches.ts';
 import { type Sample, type Sweep, withNumber } from './sweep.ts';
 
-/* What is drawn of a number that plays: the roots on its way, in a picture that holds still. */
+/* The drawing of a number that plays: a trail of the roots, in a fixed stage and window. */
 
-/** What stays the same while a number plays. */
-export interface Held {
+/** The stage and the window of the graph, which stay the same while a number plays. */
+export interface SweepFrame {
   readonly stage: Stage;
   readonly window: Pick<GraphModel, 'from' | 'to' | 'low' | 'high'>;
 }
 
-/** What is shown may grow to so many times its size, to hold the whole way. */
+/** Largest growth of stage and window, so that they contain the whole sweep. */
 const ROOM = 2;
 const EVERY = 8;
 
-/** The part of the world, and of t and f, that has the whole way of a number in it. */
-export function heldFor(state: AppState, { label, samples }: Sweep): Held {
-  // Few of them are enough: they are neighbours.
+/** The frame that contains the whole sweep, as far as ROOM allows. */
+export function sweepFrame(state: AppState, { label, samples }: Sweep): SweepFrame {
+  // Every eighth sample is enough, since neighbours differ little.
   const all = samples
     .filter((_, i) => i % EVERY === 0 || i === samples.length - 1)
     .flatMap(({ value }) => {
@@ -71,8 +71,8 @@ export function heldFor(state: AppState, { label, samples }: Sweep): Held {
   };
 }
 
-/** Between two of what is held; `share` 0 is the first. */
-export function heldBetween(a: Held, b: Held, share: number): Held {
+/** Interpolates two frames; `share` 0 gives the first. */
+export function frameBetween(a: SweepFrame, b: SweepFrame, share: number): SweepFrame {
   if (share >= 1) return b;
   const mix = <T extends object>(x: T, y: T): T =>
     Object.fromEntries(
@@ -88,7 +88,7 @@ export function heldBetween(a: Held, b: Held, share: number): Held {
 /** The graph in another window, with the trail of its roots, and f where the class changes. */
 export function graphIn(
   graph: GraphModel,
-  { window }: Pick<Held, 'window'>,
+  { window }: Pick<SweepFrame, 'window'>,
   state: AppState,
   trail: GraphModel['trail'],
 ): GraphModel {
@@ -99,11 +99,11 @@ export function graphIn(
   return { ...graph, ...window, stretches, ...(trail ? { trail } : {}) };
 }
 
-/** The part of the way that has been seen. */
+/** The samples that have been played. */
 const seenOf = ({ samples }: Sweep, [from, to]: readonly [number, number]): readonly Sample[] =>
   samples.filter(({ value }) => value >= from && value <= to);
 
-/** Where the roots were, and f where the class changes. */
+/** The trail of the graph: past roots, and f where the class changes. */
 export function graphTrail(
   sweep: Sweep,
   seen: readonly [number, number],
@@ -119,7 +119,7 @@ export function graphTrail(
   };
 }
 
-/** The ways of P1 and P2 through the part of the world that is drawn. */
+/** The paths of P1 and P2 within the drawn part of the world. */
 export function sceneTrail(
   sweep: Sweep,
   seen: readonly [number, number],
@@ -129,7 +129,7 @@ export function sceneTrail(
   return drawn.map((points) => ({ points, closed: false, ink: 'hit' }));
 }
 
-/** Unbroken ways of one hit each. */
+/** Unbroken paths, each of one hit. */
 function branchesOf(samples: readonly Sample[]): Vec3[][] {
   const done: Vec3[][] = [];
   let open: Vec3[][] = [];

@@ -11,39 +11,36 @@ import { isDrawn, stageAround } from './stage.ts';
 import type { AppState } from './state.ts';
 import type { PlacedStretch } from './stretches.ts';
 
-/** Until it is put somewhere the mark stands at the tip of d. */
+/** t of the mark before a person has moved it: the tip of d. */
 const START = 1;
 
 /** Where the mark is that says where the first hit is expected; null where that is not asked. */
 export const markOf = ({ ask, bead }: Pick<AppState, 'ask' | 'bead'>): number | null =>
   ask === 'where' ? (bead ?? START) : null;
 
-interface Reach {
+interface Interval {
   readonly from: number;
   readonly to: number;
 }
 
-/** Of a line that passes the stage by. */
-const ELSEWHERE: Reach = { from: -1, to: 4 };
+/** The interval of t that is drawn of a line outside of the stage. */
+const ELSEWHERE: Interval = { from: -1, to: 4 };
 
 /**
  * The stretch of t that is drawn while the results are hidden: the line within the part of the
  * world that E and the shape take, wherever it meets the shape.
  */
-export const hiddenReach = (shape: Shape, ray: Ray): Reach =>
+export const hiddenReach = (shape: Shape, ray: Ray): Interval =>
   clipToStage(ray, stageAround(shape, [ray.origin]), { from: -Infinity, to: Infinity }) ??
   ELSEWHERE;
 
-const stretchesOf = ({ from, to }: Reach): readonly PlacedStretch[] =>
+const stretchesOf = ({ from, to }: Interval): readonly PlacedStretch[] =>
   [
     { from, to: Math.min(to, 0), stretch: 'behind', place: 'behind' } as const,
     { from: Math.max(from, 0), to, stretch: 'before', place: null } as const,
   ].filter((part) => part.from < part.to);
 
-/**
- * The scene as it is before anyone has computed anything: the ray and the shape, and nothing that
- * tells where they meet.
- */
+/** The scene with ray and shape, and nothing that shows where they meet. */
 export function withoutResults(scene: SceneModel, state: AppState): SceneModel {
   const { ray, stage } = scene;
   const reach = clipToStage(ray, stage, { from: -Infinity, to: Infinity });
@@ -59,7 +56,7 @@ export function withoutResults(scene: SceneModel, state: AppState): SceneModel {
       ticks: reach ? ticksOf(reach) : [],
     },
     hits: [],
-    // It may be the same ray, with its hits.
+    // The ghost may be the same ray, with its hits.
     ghost: null,
     handles: t !== null && reach ? [...handles, markHandle(ray, t, reach)] : handles,
     bead:
@@ -72,12 +69,12 @@ export function withoutResults(scene: SceneModel, state: AppState): SceneModel {
   };
 }
 
-/** Presses of an arrow key from one end of the ray to the other, about. */
+/** Number of arrow key presses from one end of the ray to the other, about. */
 const KEYS = 100;
-export const markStep = ({ from, to }: Reach): number => roundStep((to - from) / KEYS);
+export const markStep = ({ from, to }: Interval): number => roundStep((to - from) / KEYS);
 
-/** The mark goes along the ray where it is dragged, and by keys. */
-function markHandle({ origin, direction }: Ray, t: number, reach: Reach): ReachHandle {
+/** The handle that moves the mark along the ray. */
+function markHandle({ origin, direction }: Ray, t: number, reach: Interval): ReachHandle {
   const length = Math.hypot(...direction);
   const start = Math.min(reach.from, t);
   return {
@@ -106,14 +103,14 @@ function markHandle({ origin, direction }: Ray, t: number, reach: Reach): ReachH
   };
 }
 
-/** Its ends are short numbers, which the mark may be put at. */
-function shortened(reach: Reach): Reach {
+/** The interval with its ends rounded inwards to multiples of the mark's step. */
+function shortened(reach: Interval): Interval {
   const step = markStep(reach);
   const at = (steps: number): number => Number((steps * step).toPrecision(12)) + 0;
   return { from: at(Math.ceil(reach.from / step)), to: at(Math.floor(reach.to / step)) };
 }
 
-/** The ray's own t without f on it: there the mark can be put, too. */
+/** The graph's t axis without f, on which the mark can be moved too. */
 export function withoutRoots(
   graph: GraphModel,
   { shape, ray, state }: { readonly shape: Shape; readonly ray: Ray; readonly state: AppState },

@@ -8,7 +8,7 @@ import type { StartRule } from '../../tracer/types.ts';
 export const START_TEXTS = ['from', 'none', '1e-15', '1e-9', '0.001', '0.3'] as const;
 
 /** 'from', 'none', or an epsilon. */
-export function readStart(text: string): StartRule {
+export function readStartRule(text: string): StartRule {
   if (text === 'from') return { rule: 'from' };
   if (text === 'none') return { rule: 'none' };
   const parsed = parseNumber(text);

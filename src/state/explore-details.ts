@@ -5,8 +5,8 @@ import { fitsInto, isHalf, LONG, spacesOf } from './number-space.ts';
 import { conditionDigits, putIn, resultsOf } from './put-in.ts';
 import { createSceneAndGraph } from './scene-and-graph.ts';
 
-/** Everything about a ray that is loaded after the first frame: what its verdict does not need. */
-export const closerLook = {
+/** Functions that are loaded after the first frame: the verdict on a ray needs none of them. */
+export const exploreDetails = {
   asTyped,
   createSceneAndGraph,
   /** What a shape's ends leave of the roots. */
@@ -27,4 +27,4 @@ export const closerLook = {
   },
 };
 
-export type CloserLook = typeof closerLook;
+export type ExploreDetails = typeof exploreDetails;

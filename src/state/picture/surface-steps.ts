@@ -2,8 +2,8 @@ import { derivation, type Expr, type Step, type Values } from '../../math/formul
 import { InvalidInput, intersect, type Shape } from '../../math/index.ts';
 import { definitionOf } from '../../math/shapes.ts';
 import { type PutIn, putInSideBySide, valuesAsResults } from '../put-in.ts';
-import { verdictWords } from '../words.ts';
-import { type Meeting, type RootFate, rootFates } from './root-fates.ts';
+import { verdictWords } from '../verdict-words.ts';
+import { type RootFate, type RootFilter, rootFates } from './root-fates.ts';
 
 export interface SurfaceStep {
   readonly step: Step;
@@ -24,7 +24,11 @@ interface SurfaceSteps {
  * The course's algebra of one ray and the whole shape, with the fate of each root. Null for a ray
  * that the math module refuses, as one whose direction overflowed.
  */
-export function surfaceSteps(shape: Shape, meeting: Meeting, method: string): SurfaceSteps | null {
+export function surfaceSteps(
+  shape: Shape,
+  meeting: RootFilter,
+  method: string,
+): SurfaceSteps | null {
   const { ray, between } = meeting;
   try {
     const found = intersect(shape, ray, method);

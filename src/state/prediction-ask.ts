@@ -1,4 +1,4 @@
-/** What a person is asked to predict while the results are hidden; ids as a link has them. */
+/** Ids of the questions that can be asked while the results are hidden, as a link has them. */
 export const ASKS = ['points', 'where', 'first', 'sign'] as const;
 export type Ask = (typeof ASKS)[number];
 

@@ -4,13 +4,13 @@ import type { Intersection, Ray, Shape } from '../math/index.ts';
 import { definitionOf, intersectWhole } from '../math/shapes.ts';
 
 /** What exact arithmetic says of a ray and a shape. */
-export interface Exactly {
+export interface ExactResult {
   readonly found: Intersection;
   /** A, B, C and D, or N·(E − P) and N·d, by the names of their steps; not rounded. */
   readonly quantities: Readonly<Record<string, Surd>>;
 }
 
-export function exactlyOf(shape: Shape, ray: Ray): Exactly {
+export function exactResultOf(shape: Shape, ray: Ray): ExactResult {
   const formula = definitionOf(shape).formula(shape);
   const values = valuesOf(shape, ray, exact);
   const found = intersectWhole(shape, ray, 'exact');

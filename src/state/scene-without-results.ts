@@ -2,17 +2,17 @@ import type { Drawing, Stage } from '../math/drawing.ts';
 import type { Ray, Shape, Vec3 } from '../math/index.ts';
 import { definitionOf } from '../math/shapes.ts';
 import { display, displayTriple } from '../text/format.ts';
+import type { View } from './camera-view.ts';
 import { cutDrawing, endPoints } from './cut-drawing.ts';
 import type { Between } from './heights.ts';
 import { clipToStage } from './scene.ts';
 import type { RaySegment, SceneModel } from './scene-model.ts';
 import { isDrawn, stageAround } from './stage.ts';
-import type { View } from './view.ts';
 
 const EVERYWHERE = { from: Number.NEGATIVE_INFINITY, to: Number.POSITIVE_INFINITY };
 
-/** A ray, its shape, the heights that this is kept between, and perhaps a second shape. */
-interface Before {
+/** A ray, a shape with the heights of its ends, and a second shape if there is one. */
+interface SceneInput {
   readonly shape: Shape;
   readonly ray: Ray;
   readonly between?: Between;
@@ -23,8 +23,8 @@ interface Before {
  * A scene of shape and ray without results, on a stage with room for them and for `points`. Neither
  * its size nor the drawn part of the ray depends on where the two meet.
  */
-export function sceneBefore(
-  { shape, ray, between, other }: Before,
+export function sceneWithoutResults(
+  { shape, ray, between, other }: SceneInput,
   points: readonly Vec3[],
   view: View,
 ): SceneModel {

@@ -5,7 +5,7 @@ import type { Intersection } from '../math/index.ts';
 interface Window {
   readonly from: number;
   readonly to: number;
-  /** Words on what it leaves out; null if nothing. */
+  /** Words on what lies outside of the window; null if nothing does. */
   readonly note: string | null;
 }
 

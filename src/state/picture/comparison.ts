@@ -5,11 +5,11 @@ import type { Forced } from '../../scene/effects/plan.ts';
 import { findPreset } from '../../scene/presets/index.ts';
 import type { StartRule, TraceSettings } from '../../tracer/types.ts';
 import { readBounces } from './bounces.ts';
-import { readStart, startText, startWords } from './start.ts';
+import { readStartRule, startText, startWords } from './start-rule.ts';
 
 /**
- * The one thing in which the other side of a comparison differs; 'whole' is the picture of which
- * nothing is left out.
+ * The one difference of the other side of a comparison; 'whole' is the picture with everything that
+ * the scene calls for.
  */
 export type Against =
   | { readonly change: 'method'; readonly method: string }
@@ -34,7 +34,7 @@ export const AGAINST = {
     const [word = '', ...rest] = text.split(':');
     const value = rest.join(':');
     if (word === 'method' && findMethod(value)) return { change: 'method', method: value };
-    if (word === 'start') return { change: 'start', start: readStart(value) };
+    if (word === 'start') return { change: 'start', start: readStartRule(value) };
     if (word === 'bounces') return { change: 'bounces', bounces: readBounces(value) };
     const effect = EFFECTS.find(({ id }) => id === value)?.id;
     if ((word === 'on' || word === 'off') && effect) {
@@ -66,7 +66,7 @@ export function firstAgainst(
   const wanted = findPreset(sceneText)?.compare ?? 'start:none';
   if (wanted === `method:${method}`) return `method:${DEFAULT_METHOD}`;
   const [how, id] = wanted.split(':');
-  // What is forced so already is compared with the other way round.
+  // An effect that is already forced this way is compared with the opposite.
   if (forced[id as EffectId] === how) return `${how === 'on' ? 'off' : 'on'}:${id}`;
   return wanted === `start:${startText(start)}` ? 'start:from' : wanted;
 }
@@ -82,7 +82,7 @@ export function otherSide(settings: TraceSettings, against: Against): TraceSetti
   return { ...settings, forced };
 }
 
-/** All that the scene calls for and nothing else, to the last bounce, by the default method. */
+/** The settings with nothing forced, all bounces and the default method. */
 export function wholeOf({ bounces: _, ...settings }: TraceSettings): TraceSettings {
   return { ...settings, forced: {}, method: DEFAULT_METHOD };
 }

@@ -2,7 +2,7 @@ import { deflateSync, Inflate, strFromU8, strToU8 } from 'fflate';
 import { InvalidInput } from '../math/index.ts';
 import { quote } from '../math/shapes.ts';
 
-/* A text in a link: deflated, in the letters that a link may hold (base64url, RFC 4648). */
+/* Texts compressed for links: deflate, then base64url (RFC 4648). */
 
 const LONGEST = 30_000;
 /** Bytes that are inflated at a time: a text that is too long is refused within one portion. */

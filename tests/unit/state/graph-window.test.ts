@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { intersect, type Ray, type Shape } from '../../../src/math/index.ts';
-import { graphWindowOf } from '../../../src/state/window.ts';
+import { graphWindowOf } from '../../../src/state/graph-window.ts';
 
 /** A line through the axis of a cylinder, with these two roots as nearly as doubles have them. */
 function lineWith(t1: number, t2: number) {

@@ -3,7 +3,7 @@ import { intersect } from '../../../src/math/index.ts';
 import type { Ray } from '../../../src/math/ray.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
-import { hitSentences, hitWords, verdictWords } from '../../../src/state/words.ts';
+import { hitSentences, hitWords, verdictWords } from '../../../src/state/verdict-words.ts';
 import { circle, cone, cylinder, plane, ray, square } from '../math/shorthand.ts';
 
 /* Whether the sentences are true is asked in verdict-cells.test.ts. */
