@@ -63,7 +63,7 @@ export function findBlocked(
     (list, n) => free(list, n, list),
   );
   for (const target of groups.open) {
-    const kept = scratch.list(0);
+    const kept = scratch.meeting();
     const left = free(scratch.everyone(), count, kept);
     if (left > 0) ask(target, kept, left);
   }

@@ -4,7 +4,7 @@ import type { Vec3 } from '../math/index.ts';
 
 /** A bounding volume hierarchy of boxes; a leaf is one surface. */
 export type Hierarchy =
-  | { readonly box: Box; readonly leaf: true; readonly surface: number }
+  | HierarchyLeaf
   | {
       readonly box: Box;
       readonly leaf: false;
@@ -12,30 +12,59 @@ export type Hierarchy =
       readonly far: Hierarchy;
     };
 
+export interface HierarchyLeaf {
+  readonly box: Box;
+  readonly leaf: true;
+  readonly surface: number;
+}
+
 export interface Boxed {
   readonly box: Box;
   readonly surface: number;
 }
 
 /**
- * Builds a hierarchy by halving the list at the median of its longest axis. Not for empty lists.
+ * Builds a hierarchy top down. Of the ways to cut the list, sorted by the middles of its boxes
+ * along an axis, it takes one with the least sum of area × surfaces of both sides: the surface area
+ * heuristic (Goldsmith and Salmon 1987), by which a large floor stands apart from small things. Not
+ * for empty lists.
  */
 export function hierarchyOf(list: readonly Boxed[]): Hierarchy {
   const [first] = list;
   if (!first) throw new RangeError('no boxes to put into a hierarchy');
-  const box = list.reduce((all, one) => around(all, one.box), first.box);
-  if (list.length === 1) return { box, leaf: true, surface: first.surface };
-  const sizes = [0, 1, 2].map((k) => (box.high[k] as number) - (box.low[k] as number));
-  const axis = sizes.indexOf(Math.max(...sizes)) as 0 | 1 | 2;
-  const middle = ({ box: { low, high } }: Boxed): number => low[axis] + high[axis];
-  const sorted = [...list].sort((a, b) => middle(a) - middle(b));
-  const half = sorted.length >> 1;
-  return {
-    box,
-    leaf: false,
-    near: hierarchyOf(sorted.slice(0, half)),
-    far: hierarchyOf(sorted.slice(half)),
-  };
+  if (list.length === 1) return { box: first.box, leaf: true, surface: first.surface };
+  let least = Number.POSITIVE_INFINITY;
+  let near: readonly Boxed[] = [];
+  let far: readonly Boxed[] = [];
+  for (const axis of [0, 1, 2] as const) {
+    const middle = ({ box: { low, high } }: Boxed): number => low[axis] + high[axis];
+    const sorted = [...list].sort((a, b) => middle(a) - middle(b));
+    const before = costs(sorted);
+    const after = costs([...sorted].reverse());
+    for (let k = 1; k < sorted.length; k++) {
+      const cost = (before[k - 1] as number) + (after[sorted.length - k - 1] as number);
+      if (near.length > 0 && !(cost < least)) continue;
+      least = cost;
+      near = sorted.slice(0, k);
+      far = sorted.slice(k);
+    }
+  }
+  const halves = { near: hierarchyOf(near), far: hierarchyOf(far) };
+  return { box: around(halves.near.box, halves.far.box), leaf: false, ...halves };
+}
+
+/** Of the first k + 1 boxes: half the area of the box around them, times their number. */
+function costs(list: readonly Boxed[]): readonly number[] {
+  let all = (list[0] as Boxed).box;
+  return list.map(({ box }, k) => {
+    all = around(all, box);
+    const [x, y, z] = [0, 1, 2].map((n) => (all.high[n] as number) - (all.low[n] as number)) as [
+      number,
+      number,
+      number,
+    ];
+    return (x * y + y * z + z * x) * (k + 1);
+  });
 }
 
 function around(a: Box, b: Box): Box {
@@ -47,11 +76,78 @@ function around(a: Box, b: Box): Box {
   return { low: pick(Math.min, a.low, b.low), high: pick(Math.max, a.high, b.high) };
 }
 
-/** 1/d by component. */
-export interface Slopes {
-  readonly x: Float64Array;
-  readonly y: Float64Array;
-  readonly z: Float64Array;
+/** Rays in a bundle. */
+export const BUNDLE = 16;
+
+/** Least and largest of each component of E and of 1/d among a bundle's rays, for each bundle. */
+interface Range {
+  readonly lowE: Float64Array;
+  readonly highE: Float64Array;
+  readonly lowSlope: Float64Array;
+  readonly highSlope: Float64Array;
+}
+
+/** Rays prepared for boxes; bundle b holds rays BUNDLE·b … BUNDLE·b + BUNDLE − 1. */
+export interface Bundles {
+  /** 1/d by component, for each ray. */
+  readonly slopes: { readonly x: Float64Array; readonly y: Float64Array; readonly z: Float64Array };
+  readonly x: Range;
+  readonly y: Range;
+  readonly z: Range;
+}
+
+export function createBundles(capacity: number): Bundles {
+  const array = (n: number): Float64Array => new Float64Array(n);
+  const bundles = Math.ceil(capacity / BUNDLE);
+  const range = (): Range => ({
+    lowE: array(bundles),
+    highE: array(bundles),
+    lowSlope: array(bundles),
+    highSlope: array(bundles),
+  });
+  const slopes = { x: array(capacity), y: array(capacity), z: array(capacity) };
+  return { slopes, x: range(), y: range(), z: range() };
+}
+
+/** Computes the bundles of rays 0 … count − 1, and returns their number. */
+export function bundle({ Ex, Ey, Ez, dx, dy, dz }: Rays, count: number, into: Bundles): number {
+  const { slopes, x, y, z } = into;
+  const bundles = Math.ceil(count / BUNDLE);
+  rangeOf(Ex, dx, count, slopes.x, x);
+  rangeOf(Ey, dy, count, slopes.y, y);
+  rangeOf(Ez, dz, count, slopes.z, z);
+  return bundles;
+}
+
+function rangeOf(
+  E: Float64Array,
+  d: Float64Array,
+  count: number,
+  slopes: Float64Array,
+  { lowE, highE, lowSlope, highSlope }: Range,
+): void {
+  for (let first = 0, b = 0; first < count; first += BUNDLE, b++) {
+    const end = Math.min(first + BUNDLE, count);
+    let low = Number.POSITIVE_INFINITY;
+    let high = Number.NEGATIVE_INFINITY;
+    let least = Number.POSITIVE_INFINITY;
+    let most = Number.NEGATIVE_INFINITY;
+    for (let i = first; i < end; i++) {
+      const e = E[i] as number;
+      const slope = d[i] as number;
+      slopes[i] = 1 / slope;
+      low = e < low ? e : low;
+      high = e > high ? e : high;
+      least = slope < least ? slope : least;
+      most = slope > most ? slope : most;
+    }
+    lowE[b] = low;
+    highE[b] = high;
+    // 1/d falls while d rises, on each side of 0; with both signs it is unbounded.
+    const oneSided = least > 0 || most < 0;
+    lowSlope[b] = oneSided ? 1 / most : Number.NEGATIVE_INFINITY;
+    highSlope[b] = oneSided ? 1 / least : Number.POSITIVE_INFINITY;
+  }
 }
 
 /**
@@ -61,13 +157,77 @@ export interface Slopes {
 const SLACK = 1 + 2 ** -50;
 
 /**
+ * Puts the bundles of list[0 … count − 1] with a ray that may meet the box at t ≥ 0 into `kept`,
+ * and returns their number. Differences and products round monotonically, so that a bundle is left
+ * out only if `meetBox` leaves out each of its rays. NaN, of 0·∞, rejects nothing.
+ */
+export function bundlesAtBox(
+  { low, high }: Box,
+  { x, y, z }: Bundles,
+  list: Int32Array,
+  count: number,
+  kept: Int32Array,
+): number {
+  const [lx, ly, lz] = low;
+  const [hx, hy, hz] = high;
+  let n = 0;
+  for (let k = 0; k < count; k++) {
+    const b = list[k] as number;
+    const enter = Math.max(0, nearest(x, b, lx, hx), nearest(y, b, ly, hy), nearest(z, b, lz, hz));
+    const leave = Math.min(farthest(x, b, lx, hx), farthest(y, b, ly, hy), farthest(z, b, lz, hz));
+    kept[n] = b;
+    n += enter > SLACK * leave ? 0 : 1;
+  }
+  return n;
+}
+
+/** No larger than t of any of the bundle's rays where it enters low ≤ x ≤ high. */
+function nearest(
+  { lowE, highE, lowSlope, highSlope }: Range,
+  b: number,
+  low: number,
+  high: number,
+): number {
+  const least = lowSlope[b] as number;
+  const most = highSlope[b] as number;
+  if (least > 0) {
+    const side = low - (highE[b] as number);
+    return side * (side < 0 ? most : least);
+  }
+  if (most < 0) {
+    const side = high - (lowE[b] as number);
+    return side * (side < 0 ? most : least);
+  }
+  return Number.NEGATIVE_INFINITY;
+}
+
+function farthest(
+  { lowE, highE, lowSlope, highSlope }: Range,
+  b: number,
+  low: number,
+  high: number,
+): number {
+  const least = lowSlope[b] as number;
+  const most = highSlope[b] as number;
+  if (least > 0) {
+    const side = high - (lowE[b] as number);
+    return side * (side < 0 ? least : most);
+  }
+  if (most < 0) {
+    const side = low - (highE[b] as number);
+    return side * (side < 0 ? least : most);
+  }
+  return Number.POSITIVE_INFINITY;
+}
+
+/**
  * Puts the rays of list[0 … count − 1] that may meet the box before their limit into `kept`, and
  * returns their number. For a ray in the plane of a side 0·∞ is NaN, which rejects nothing.
  */
 export function meetBox(
   { low, high }: Box,
   { Ex, Ey, Ez }: Rays,
-  { x, y, z }: Slopes,
+  { slopes: { x, y, z } }: Bundles,
   limit: Float64Array,
   list: Int32Array,
   count: number,
@@ -84,16 +244,22 @@ export function meetBox(
     const sx = x[i] as number;
     const sy = y[i] as number;
     const sz = z[i] as number;
-    const ax = (lx - ex) * sx;
-    const bx = (hx - ex) * sx;
-    const ay = (ly - ey) * sy;
-    const by = (hy - ey) * sy;
-    const az = (lz - ez) * sz;
-    const bz = (hz - ez) * sz;
-    const enter = Math.max(Math.min(ax, bx), Math.min(ay, by), Math.min(az, bz));
-    const leave = SLACK * Math.min(Math.max(ax, bx), Math.max(ay, by), Math.max(az, bz));
+    let enter = 0;
+    let leave = limit[i] as number;
+    let near = ((sx < 0 ? hx : lx) - ex) * sx;
+    let far = ((sx < 0 ? lx : hx) - ex) * sx;
+    if (near > enter) enter = near;
+    if (far < leave) leave = far;
+    near = ((sy < 0 ? hy : ly) - ey) * sy;
+    far = ((sy < 0 ? ly : hy) - ey) * sy;
+    if (near > enter) enter = near;
+    if (far < leave) leave = far;
+    near = ((sz < 0 ? hz : lz) - ez) * sz;
+    far = ((sz < 0 ? lz : hz) - ez) * sz;
+    if (near > enter) enter = near;
+    if (far < leave) leave = far;
     kept[n] = i;
-    n += enter > leave || leave < 0 || enter > SLACK * (limit[i] as number) ? 0 : 1;
+    n += enter > SLACK * leave ? 0 : 1;
   }
   return n;
 }

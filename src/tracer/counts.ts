@@ -69,14 +69,17 @@ export function createCounts(
     },
     spent({ count, sample, asked, found }, kindOf) {
       for (let i = 0; i < count; i++) {
-        const kind = kinds[kindOf(i)];
         const questions = asked[i] as number;
         const roots = found[i] as number;
-        kind.questions += questions;
-        kind.roots += roots;
+        if (questions > 0) {
+          const kind = kinds[kindOf(i)];
+          kind.questions += questions;
+          kind.roots += roots;
+        }
         if (!work) continue;
         const at = sample[i] as number;
         work.rays[at] = (work.rays[at] as number) + 1;
+        if (questions === 0) continue;
         work.questions[at] = (work.questions[at] as number) + questions;
         work.roots[at] = (work.roots[at] as number) + roots;
       }

@@ -27,12 +27,15 @@ export function gradientOf(shape: Shape): GradientOf {
   const q = quadricOf(shape);
   const a = q ? (q.squared ? q.flare * q.flare : q.hasY ? q.flare : 0) : 0;
   const center: Vec3 = q ? [q.Cx, q.hasY ? q.Cy : 0, q.Cz] : [0, 0, 0];
+  const [Cx, Cy, Cz] = center;
   return {
     by: q ? 'quadric' : 'trees',
     N: [0, 1, 0],
     center,
     a,
-    at: (x, y, z) => evaluateTriple(formula.normal, float64, withScalars(values, { x, y, z })),
+    at: q
+      ? (x, y, z) => [x - Cx, -a * (y - Cy), z - Cz]
+      : (x, y, z) => evaluateTriple(formula.normal, float64, withScalars(values, { x, y, z })),
   };
 }
 

@@ -1,5 +1,14 @@
 import type { Rays } from '../math/batch.ts';
-import { type Boxed, type Hierarchy, hierarchyOf, meetBox } from './boxes.ts';
+import {
+  type Boxed,
+  BUNDLE,
+  bundle,
+  bundlesAtBox,
+  type Hierarchy,
+  type HierarchyLeaf,
+  hierarchyOf,
+  meetBox,
+} from './boxes.ts';
 import type { Scratch } from './scratch.ts';
 import type { Target } from './world.ts';
 
@@ -22,8 +31,8 @@ interface Asked {
 }
 
 /**
- * Asks each surface of a hierarchy about the rays that meet its box, and those around it, before
- * their limit. `keep` leaves rays out of a list and returns the number of those that stay.
+ * Asks each surface of a hierarchy about the rays that meet its box before their limit. `keep`
+ * leaves rays out of a list and returns the number of those that stay.
  */
 export function askBoxed(
   { boxed }: Groups,
@@ -33,17 +42,30 @@ export function askBoxed(
   keep?: (list: Int32Array, n: number) => number,
 ): void {
   if (boxed.length === 0) return;
-  const slopes = scratch.slopes(rays, count);
+  const { bundles, kept } = scratch;
+  const all = bundle(rays, count, bundles());
+
+  const askLeaf = (leaf: HierarchyLeaf, list: Int32Array, n: number): void => {
+    const meeting = scratch.meeting();
+    let m = 0;
+    for (let k = 0; k < n; k++) {
+      const first = BUNDLE * (list[k] as number);
+      const end = Math.min(first + BUNDLE, count);
+      for (let i = first; i < end; i++) meeting[m++] = i;
+    }
+    if (keep) m = keep(meeting, m);
+    m = meetBox(leaf.box, rays, bundles(), limit, meeting, m, meeting);
+    if (m > 0) ask(leaf.surface, meeting, m);
+  };
   const descend = (node: Hierarchy, list: Int32Array, n: number, depth: number): void => {
-    const kept = scratch.list(depth);
-    const met = meetBox(node.box, rays, slopes, limit, list, n, kept);
-    const left = keep ? keep(kept, met) : met;
+    const those = kept(depth);
+    const left = bundlesAtBox(node.box, bundles(), list, n, those);
     if (left === 0) return;
-    if (node.leaf) ask(node.surface, kept, left);
+    if (node.leaf) askLeaf(node, those, left);
     else {
-      descend(node.near, kept, left, depth + 1);
-      descend(node.far, kept, left, depth + 1);
+      descend(node.near, those, left, depth + 1);
+      descend(node.far, those, left, depth + 1);
     }
   };
-  for (const node of boxed) descend(node, scratch.everyone(), count, 0);
+  for (const node of boxed) descend(node, scratch.everyone(), all, 0);
 }

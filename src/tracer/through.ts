@@ -33,7 +33,7 @@ export function createChords(groups: Groups, targets: readonly Target[], scratch
       rays = createRays(2 * count, kernelArray);
       out = createAnswers(2 * count, kernelArray);
     }
-    const crossings: Crossing[][] = Array.from({ length: count }, () => []);
+    const crossings = new Map<number, Crossing[]>();
     const chords: Chords[] = [];
 
     /** Crossings of the rays of the list that start on the target, or that do not. */
@@ -46,7 +46,10 @@ export function createChords(groups: Groups, targets: readonly Target[], scratch
           const y = (rays.Ey[k] as number) + t * (rays.dy[k] as number);
           // A missing root is NaN, for which each comparison is false.
           if (!(t > 0 && t < (limit[j] as number) && y >= low && y <= high)) continue;
-          crossings[j]?.push({ t, surface, leaves: leavesAt(target, shadowRays, j, t) });
+          const crossing = { t, surface, leaves: leavesAt(target, shadowRays, j, t) };
+          const others = crossings.get(j);
+          if (others) others.push(crossing);
+          else crossings.set(j, [crossing]);
           found[j] = (found[j] as number) + 1;
           tally.roots += 1;
         }
@@ -74,7 +77,7 @@ export function createChords(groups: Groups, targets: readonly Target[], scratch
     for (const target of groups.open) ask(target, scratch.everyone(), count);
     askBoxed(groups, shadowRays, scratch, (k, list, n) => ask(targets[k] as Target, list, n));
     const lengths = new Map<number, Float64Array>();
-    crossings.forEach((of, j) => {
+    for (const [j, of] of crossings) {
       let before = 0;
       // In the order of surfaces where t is equal, however they were asked.
       for (const { t, surface, leaves } of of.sort((a, b) => a.t - b.t || a.surface - b.surface)) {
@@ -85,7 +88,7 @@ export function createChords(groups: Groups, targets: readonly Target[], scratch
         }
         before = t;
       }
-    });
+    }
     // Products of colours do not depend on the order in which boxes were met.
     for (const surface of [...lengths.keys()].sort((a, b) => a - b)) {
       chords.push({ surface, lengths: lengths.get(surface) as Float64Array });
