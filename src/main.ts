@@ -1,8 +1,8 @@
 import { render } from 'lit';
 import { type Command, commandFor, commandsOf, type PageActions } from './pages/commands.ts';
 import type { DialogParts, Dialogs } from './pages/dialogs.ts';
-import { lateEmbed } from './pages/embed/late-embed.ts';
-import type { Player } from './pages/explore/bead-player.ts';
+import { lazyEmbed } from './pages/embed/lazy-embed.ts';
+import type { BeadPlayer } from './pages/explore/bead-player.ts';
 import { type Explore, type ExploreTools, mountExplore } from './pages/explore/explore-page.ts';
 import type { Sonification } from './pages/explore/sonification.ts';
 import type { ExportItem } from './pages/export-dialog.ts';
@@ -19,7 +19,7 @@ import { decode, encode } from './state/url.ts';
 import type { Announce } from './ui/announcer.ts';
 import { copyText } from './ui/clipboard.ts';
 import { watchGestures } from './ui/gesture.ts';
-import { late, watchStyles } from './ui/late.ts';
+import { lazy, watchStyles } from './ui/lazy.ts';
 import type { Mounted } from './ui/mounted.ts';
 import { onNotKept, recall, remember } from './ui/storage.ts';
 import { THEMES, watchTheme } from './ui/theme.ts';
@@ -51,7 +51,7 @@ let secondView: ExploreTools['secondView'] = null;
 let followExplore: ((state: AppState) => void) | null = null;
 let sonification: Sonification | null = null;
 const derive = createDerive(() => closerLook);
-const voice = late(() => import('./ui/announcer.ts')).then(({ createAnnouncer }) =>
+const voice = lazy(() => import('./ui/announcer.ts')).then(({ createAnnouncer }) =>
   createAnnouncer(document.body),
 );
 voice.catch(() => {});
@@ -59,7 +59,7 @@ voice.catch(() => {});
 const announce: Announce = (...words) => {
   voice.then((speak) => speak(...words)).catch(() => {});
 };
-let player: Player | null = null;
+let player: BeadPlayer | null = null;
 let motion: ((model: FullModel) => FullModel) | null = null;
 const theme = watchTheme(document.documentElement, requestRender);
 let explore: Explore | null = null;
@@ -120,7 +120,7 @@ const tools: PageActions = {
       announce(player.playing ? 'The bead plays.' : 'The bead has stopped.', 'deed');
     }),
   hear: () => {
-    const code = late(() => import('./pages/explore/sonification.ts'));
+    const code = lazy(() => import('./pages/explore/sonification.ts'));
     withCode(Promise.all([code, theRest()]), ([{ createSonification }]) => {
       if (areHidden()) return;
       const move = (t: number) => store.dispatch({ type: 'bead', t });
@@ -149,7 +149,7 @@ function runNow({ id, run }: Command): void {
   const before = store.get();
   run();
   const after = store.get();
-  late(() => import('./pages/command-words.ts')).then(
+  lazy(() => import('./pages/command-words.ts')).then(
     ({ commandWords }) => {
       const words = commandWords(id, before, after);
       if (words) announce(words, 'deed');
@@ -185,7 +185,7 @@ const dialogParts: DialogParts = {
 
 /** The exports, loaded on demand. */
 async function exportsOf(shown: Explore): Promise<readonly ExportItem[]> {
-  const { exploreExports } = await late(() => import('./pages/explore/exports.ts'));
+  const { exploreExports } = await lazy(() => import('./pages/explore/exports.ts'));
   return exploreExports(shown, modelNow);
 }
 
@@ -193,7 +193,7 @@ let rest: Promise<typeof import('./pages/explore/after-first-frame.ts')> | null 
 /** The code after the first frame, which is put to use first; loaded again after a failure. */
 function theRest(): NonNullable<typeof rest> {
   if (rest) return rest;
-  rest = late(() => import('./pages/explore/after-first-frame.ts'));
+  rest = lazy(() => import('./pages/explore/after-first-frame.ts'));
   rest.then(
     (code) => {
       ({ closerLook, announcement, followExplore, exampleQuestion, normalLine, ends } = code);
@@ -217,7 +217,7 @@ function theRest(): NonNullable<typeof rest> {
 let watched: (() => void) | null = null;
 /** The code for a presenter's clicker. */
 const clicker = (): Promise<() => void> =>
-  late(() => import('./ui/clicker.ts')).then(({ watchClicker }) => {
+  lazy(() => import('./ui/clicker.ts')).then(({ watchClicker }) => {
     watched ??= watchClicker(() => store.get().page === 'explore', announce);
     return watched;
   });
@@ -243,7 +243,7 @@ function withCode<T>(code: Promise<T>, use: (code: T) => void): void {
 let dialogs: Promise<Dialogs> | null = null;
 /** Opens a dialog; the dialogs' code is loaded with the first. */
 function openDialog(name: keyof Dialogs): void {
-  dialogs ??= late(() => import('./pages/dialogs.ts')).then(({ createDialogs }) =>
+  dialogs ??= lazy(() => import('./pages/dialogs.ts')).then(({ createDialogs }) =>
     createDialogs(dialogParts),
   );
   dialogs.catch(() => {
@@ -267,7 +267,7 @@ const pages = createPageSwitcher(main, {
   announce,
   explore: {
     mount(host) {
-      if (isPart) embedded = lateEmbed(host, store.dispatch);
+      if (isPart) embedded = lazyEmbed(host, store.dispatch);
       else explore = mountExplore(host, store.dispatch, requestRender, announce);
     },
     render: renderExplore,
@@ -290,7 +290,7 @@ function renderExplore(state: AppState): void {
     secondView,
     second: secondView?.on === true,
     playing: player?.playing === true,
-    hearing: sonification?.on === true,
+    soundOn: sonification?.on === true,
     large: theme.applied() === 'projector',
   });
 }
@@ -409,7 +409,7 @@ function say(words: string): void {
 let desk: ReturnType<typeof import('./pages/open-and-save.ts').createFiles> | null = null;
 /** The code for files. */
 const files = async () => {
-  const { createFiles } = await late(() => import('./pages/open-and-save.ts'));
+  const { createFiles } = await lazy(() => import('./pages/open-and-save.ts'));
   desk ??= createFiles({ store, say, view: shownView, readShown, withCode });
   return desk;
 };
@@ -441,12 +441,12 @@ onNotKept(() => {
   theRest().then(({ NOT_KEPT }) => tellProblem(NOT_KEPT), sayNotLoaded);
 });
 // If this cannot be loaded, symbols are not highlighted; nothing else is missing.
-late(() => import('./ui/highlight.ts')).then(
+lazy(() => import('./ui/highlight.ts')).then(
   ({ watchHighlight }) => watchHighlight(app),
   () => {},
 );
 if (isFramed) {
-  late(() => import('./pages/embed/frame.ts')).then(
+  lazy(() => import('./pages/embed/frame.ts')).then(
     ({ watchHost }) => {
       const shown = (state: AppState) => (state.page === 'explore' ? derive(state) : null);
       const score = () => pages.current()?.score?.() ?? null;
@@ -463,7 +463,7 @@ renderAll();
 writeLink();
 files().catch(sayNotLoaded);
 // Without it every control is a stop of its own.
-late(() => import('./ui/tab-stops.ts')).then(
+lazy(() => import('./ui/tab-stops.ts')).then(
   ({ watchTabStops }) => watchTabStops(main, !isPart),
   () => {},
 );

@@ -3,11 +3,11 @@ import type { Vec3 } from '../math/index.ts';
 import type { GraphModel } from '../state/graph-model.ts';
 import { coordinate } from '../text/coordinate.ts';
 import { display, displayTriple, shortest } from '../text/format.ts';
+import { clamp } from './axis-steps.ts';
 import { heightAt, type Parabola } from './graph-curve.ts';
 import type { Frame } from './graph-frame.ts';
 import { halo } from './graph-roots.ts';
 import type { Scales } from './graph-scales.ts';
-import { clamp } from './steps.ts';
 
 /**
  * The bead on the graph, a slider for keyboard and screen readers; its touch area is 44 px wide.

@@ -1,9 +1,9 @@
 import { svg, type TemplateResult } from 'lit';
 import { coordinate } from '../text/coordinate.ts';
 import { superscript } from '../text/scripts.ts';
+import { clamp } from './axis-steps.ts';
 import { type Frame, LETTER } from './graph-frame.ts';
 import type { Scales, Tick } from './graph-scales.ts';
-import { clamp } from './steps.ts';
 
 /** Distance in em from the plot to the labels at its left, and to those below it. */
 const [ASIDE, UNDER] = [0.65, 1.4];

@@ -1,10 +1,10 @@
 import { svg, type TemplateResult } from 'lit';
 import type { GraphModel } from '../state/graph-model.ts';
 import { coordinate } from '../text/coordinate.ts';
+import { clamp } from './axis-steps.ts';
 import { areaPath, curvePath, type Parabola, parabolaOf } from './graph-curve.ts';
 import { LETTER } from './graph-frame.ts';
 import type { Scales } from './graph-scales.ts';
-import { clamp } from './steps.ts';
 
 /** The t axis at f = 0, in the ray's own line styles, with its ticks. */
 export function rayAxis(model: GraphModel, scales: Scales): TemplateResult {

@@ -1,9 +1,9 @@
 import { svg, type TemplateResult } from 'lit';
 import type { GraphModel } from '../state/graph-model.ts';
 import { coordinate } from '../text/coordinate.ts';
+import { clamp } from './axis-steps.ts';
 import { LETTER } from './graph-frame.ts';
 import type { Scales } from './graph-scales.ts';
-import { clamp } from './steps.ts';
 
 /** Of the words over the axis, of the bracket under it, and of the words under that, in em. */
 const [ABOVE, UNDER, BELOW] = [1.2, 1.6, 2.9];

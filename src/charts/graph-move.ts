@@ -1,11 +1,11 @@
 import type { Dispatch } from '../state/actions.ts';
 import type { GraphModel } from '../state/graph-model.ts';
 import { placeIn } from '../ui/zoom.ts';
+import { type AxisStep, clamp, niceStep, snap, stepSize } from './axis-steps.ts';
 import type { Scales } from './graph-scales.ts';
-import { clamp, niceStep, type Step, snap, stepSize } from './steps.ts';
 
 /** The shown model with its scales. */
-export interface Shown {
+export interface DrawnGraph {
   readonly model: GraphModel;
   readonly scales: Scales;
 }
@@ -18,10 +18,10 @@ const GRAB = { mouse: 10, touch: 22 };
 const SIDEWAYS = 5;
 
 /** t after a slider's key; null for other keys. With Shift arrows are ten times finer. */
-export function keyTarget(event: KeyboardEvent, { model }: Shown): number | null {
+export function keyTarget(event: KeyboardEvent, { model }: DrawnGraph): number | null {
   const { from, to, bead } = model;
   const step = niceStep((to - from) / KEY_PARTS);
-  const fine: Step = { digit: step.digit, power: step.power - 1 };
+  const fine: AxisStep = { digit: step.digit, power: step.power - 1 };
   const length = stepSize(event.shiftKey ? fine : step);
   const by = (steps: number) => clamp(snap(bead.t + steps * length, fine), from, to);
   const targets: Record<string, () => number> = {
@@ -40,7 +40,7 @@ export function keyTarget(event: KeyboardEvent, { model }: Shown): number | null
 /**
  * Pointer handlers for the plot: press or drag moves the bead. `shown` gives what is on screen now.
  */
-export function pointerMoves(shown: () => Shown | null, dispatch: Dispatch) {
+export function pointerMoves(shown: () => DrawnGraph | null, dispatch: Dispatch) {
   let drag: Drag | null = null;
   const move = (event: PointerEvent) => {
     const now = shown();
@@ -81,14 +81,14 @@ interface Drag {
   waits: boolean;
 }
 
-function startOf(event: PointerEvent, now: Shown): Drag {
+function startOf(event: PointerEvent, now: DrawnGraph): Drag {
   const offset = grabOffset(event, now);
   const waits = event.pointerType === 'touch' && offset === null;
   return { offset: offset ?? 0, startX: event.clientX, waits };
 }
 
 /** px from the pointer to the bead; null if the pointer is not on it. */
-function grabOffset(event: PointerEvent, { model, scales }: Shown): number | null {
+function grabOffset(event: PointerEvent, { model, scales }: DrawnGraph): number | null {
   const onBead = event.target instanceof Element && event.target.closest('.graph-bead') !== null;
   const x = clamp(scales.x(model.bead.t), scales.frame.left, scales.frame.right);
   const offset = x - pointerX(event);
@@ -106,7 +106,7 @@ function pointerX(event: PointerEvent): number {
   return element ? placeIn(element, event).x : event.clientX;
 }
 
-function beadAt(px: number, { model: { from, to }, scales }: Shown): number {
+function beadAt(px: number, { model: { from, to }, scales }: DrawnGraph): number {
   const step = niceStep((to - from) / DRAG_PARTS);
   return clamp(snap(scales.t(px), step), from, to);
 }

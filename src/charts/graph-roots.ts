@@ -2,8 +2,8 @@ import { svg, type TemplateResult } from 'lit';
 import { CAP_NAMES } from '../state/ends.ts';
 import type { GraphModel } from '../state/graph-model.ts';
 import { coordinate } from '../text/coordinate.ts';
+import { clamp } from './axis-steps.ts';
 import type { Scales } from './graph-scales.ts';
-import { clamp } from './steps.ts';
 
 type Root = GraphModel['roots'][number];
 

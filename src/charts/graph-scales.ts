@@ -1,7 +1,7 @@
 import type { GraphModel } from '../state/graph-model.ts';
 import { display } from '../text/format.ts';
+import { clamp, niceTicks } from './axis-steps.ts';
 import type { Frame } from './graph-frame.ts';
-import { clamp, niceTicks } from './steps.ts';
 
 export interface Tick {
   readonly at: number;

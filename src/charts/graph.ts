@@ -5,7 +5,7 @@ import type { GraphModel } from '../state/graph-model.ts';
 import type { Mounted } from '../ui/mounted.ts';
 import { frameOf } from './graph-frame.ts';
 import { watchMetrics } from './graph-metrics.ts';
-import { keyTarget, pointerMoves, type Shown } from './graph-move.ts';
+import { type DrawnGraph, keyTarget, pointerMoves } from './graph-move.ts';
 import { scalesOf } from './graph-scales.ts';
 import { type Handlers, page } from './graph-view.ts';
 
@@ -17,7 +17,7 @@ let graphs = 0;
 export function mountGraph(host: HTMLElement, dispatch: Dispatch): Mounted<GraphModel> {
   const id = `graph-${++graphs}`;
   let model: GraphModel | null = null;
-  let shown: Shown | null = null;
+  let shown: DrawnGraph | null = null;
   // A key may come before the next frame: it continues from the t that was sent last.
   const send: Dispatch = (action) => {
     if (action.type === 'bead' && typeof action.t === 'number')
@@ -54,11 +54,11 @@ export function mountGraph(host: HTMLElement, dispatch: Dispatch): Mounted<Graph
   };
 }
 
-function moved({ model, scales }: Shown, t: number): Shown {
+function moved({ model, scales }: DrawnGraph, t: number): DrawnGraph {
   return { scales, model: { ...model, bead: { ...model.bead, t } } };
 }
 
-function handlersOf(shown: () => Shown | null, dispatch: Dispatch): Handlers {
+function handlersOf(shown: () => DrawnGraph | null, dispatch: Dispatch): Handlers {
   return {
     ...pointerMoves(shown, dispatch),
     key(event) {

@@ -3,18 +3,18 @@ import type { Method } from '../math/shapes.ts';
 import { display } from '../text/format.ts';
 import { type Cause, inputsOf, size } from './causes.ts';
 import { digitCount } from './digits.ts';
-import type { Losses, Step } from './losses.ts';
+import type { Losses, StepLoss } from './losses.ts';
 import { plainText } from './plain-text.ts';
 import type { MethodRow } from './this-ray.ts';
 
 /** The name of a step in a sentence: its letter and what it is. */
-function nameOf(step: Step): string {
+function nameOf(step: StepLoss): string {
   const letter = step.letter ? plainText(step.letter) : null;
   return letter === null || letter === step.text ? step.text : `${letter} = ${step.text}`;
 }
 
 /** Why the step lost its digits, in a sentence. */
-export function whyLost(step: Step): string {
+export function whyLost(step: StepLoss): string {
   const name = nameOf(step);
   const left = digitCount(step.digits ?? 0);
   const rest =
@@ -57,7 +57,7 @@ export function whyLost(step: Step): string {
 }
 
 /** An input that became 0 or an infinity. */
-const isOut = ({ own }: Step): boolean => own === 0 || !Number.isFinite(own);
+const isOut = ({ own }: StepLoss): boolean => own === 0 || !Number.isFinite(own);
 
 const within = (name: string, cause: { readonly within: boolean }): string =>
   cause.within ? `${name}: a number on the way` : name;
@@ -103,7 +103,7 @@ function noneLost(method: Method): string {
 const LONGEST = 16;
 
 /** Long formulas are known by their letter. */
-function shortName(step: Step): string {
+function shortName(step: StepLoss): string {
   return step.letter && step.text.length > LONGEST ? plainText(step.letter) : step.text;
 }
 

@@ -8,7 +8,7 @@ import { formatOf, operationsOf } from './steps.ts';
 import type { Operation } from './trace.ts';
 
 /** A line of "where did the digits go?". */
-export interface Step extends Operation {
+export interface StepLoss extends Operation {
   /** In plain text: what is computed. */
   readonly text: string;
   /** Right digits that the step lost, compared with the worst of its inputs; 0 if none. */
@@ -18,9 +18,9 @@ export interface Step extends Operation {
 }
 
 export interface Losses {
-  readonly steps: readonly Step[];
+  readonly steps: readonly StepLoss[];
   /** The step that lost most digits; null where none lost half a digit. */
-  readonly worst: Step | null;
+  readonly worst: StepLoss | null;
 }
 
 /** Loss in digits below which no cause is given: each rounding loses a little. */
@@ -35,7 +35,7 @@ export function lossesOf(method: Method, shape: Shape, ray: Ray): Losses {
   const format = formatOf(method);
   const absorbed = new Set(all.flatMap(absorbedBy));
   const seen = new Set<string>();
-  const steps: Step[] = [];
+  const steps: StepLoss[] = [];
   for (const operation of all) {
     if (absorbed.has(operation) || isTrivial(operation)) continue;
     const text = plainText(operation.expr);
@@ -49,7 +49,7 @@ export function lossesOf(method: Method, shape: Shape, ray: Ray): Losses {
     const cause = lost > WORTH_TELLING || leaves ? causeOf(operation, format) : null;
     steps.push({ ...operation, text, lost, cause });
   }
-  const worst = steps.reduce<Step | null>(
+  const worst = steps.reduce<StepLoss | null>(
     (most, step) => (step.lost > (most?.lost ?? WORTH_TELLING) ? step : most),
     null,
   );

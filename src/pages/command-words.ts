@@ -2,8 +2,8 @@ import { SHAPES } from '../math/index.ts';
 import { type AppState, PAGES, type Settings } from '../state/state.ts';
 
 /**
- * What a listener hears of a command beside what it changed in the ray and the shape, which
- * state/announce.ts tells; '' where that, a dialog or the page says it.
+ * Words for screen readers on the effect of a command; '' where state/announce.ts (changes of ray
+ * and shape), a dialog or the page announces it.
  */
 export function commandWords(id: string, before: AppState, after: AppState): string {
   const still = before === after;
@@ -15,7 +15,7 @@ export function commandWords(id: string, before: AppState, after: AppState): str
 
 type Tell = (before: AppState, after: AppState, still: boolean) => string;
 
-/** Of going on or back on Explore: what was shown or hidden, where that tells nothing itself. */
+/** Words on `next` and `previous` of Explore. */
 const turned: Tell = (before, after, still) => {
   if (still) return before.derive ? 'This is the end of the derivation.' : 'Nothing more.';
   if (before.told && !after.told && before.example === after.example)
@@ -47,7 +47,7 @@ const WORDS: Readonly<Record<string, Tell>> = {
   redo: undone('Done again.', 'There is nothing to redo.'),
 };
 
-/** What undo brings back beside the ray and the shape: the page, and its settings. */
+/** Words on changes of the page, the method and the page's settings. */
 function changes(before: AppState, after: AppState): string[] {
   const page = PAGES.find(({ id }) => id === after.page)?.title ?? '';
   const { page: id } = after;

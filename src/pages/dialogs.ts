@@ -5,7 +5,7 @@ import type { AppState, PageId } from '../state/state.ts';
 import { copyText } from '../ui/clipboard.ts';
 import { createDialog } from '../ui/dialog.ts';
 import { download } from '../ui/files.ts';
-import { late, notLoaded } from '../ui/late.ts';
+import { lazy, notLoaded } from '../ui/lazy.ts';
 import type { Command, PageActions } from './commands.ts';
 import { createEmbedDialog } from './embed/embed-dialog.ts';
 import { type ExportItem, exportContent } from './export-dialog.ts';
@@ -34,7 +34,7 @@ export function createDialogs(parts: DialogParts): Dialogs {
   let thumbnail: Thumbnail | null = null;
   // Without small pictures the examples still have their names and questions.
   const drawn = (): void => {
-    late(() => import('../canvas/thumbnail.ts')).then(
+    lazy(() => import('../canvas/thumbnail.ts')).then(
       (code) => {
         thumbnail = code.drawThumbnail;
         gallery.refresh();

@@ -25,7 +25,7 @@ export function helpContent(
         .map(
           ({ id, keys }) =>
             html`<div><dt>${keys.map(
-              (key, i) => html`${i > 0 ? ' or ' : ''}<kbd>${shown(key)}</kbd>`,
+              (key, i) => html`${i > 0 ? ' or ' : ''}<kbd>${keyWords(key)}</kbd>`,
             )}</dt><dd>${commandTitle(id)}</dd></div>`,
         )}
     </dl>
@@ -78,6 +78,6 @@ const NAMES: Readonly<Record<string, string>> = {
   PageUp: 'Page Up',
 };
 
-export function shown(key: string): string {
+export function keyWords(key: string): string {
   return NAMES[key] ?? key.replace(/\+([a-z])$/, (_, letter: string) => `+${letter.toUpperCase()}`);
 }

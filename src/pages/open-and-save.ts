@@ -1,7 +1,7 @@
 import type { Store } from '../state/store.ts';
 import { encode } from '../state/url.ts';
 import { download, mayPick, onTooLarge, pickFile, watchDrops } from '../ui/files.ts';
-import { late } from '../ui/late.ts';
+import { lazy } from '../ui/lazy.ts';
 import type { PageView } from './page.ts';
 
 interface Tools {
@@ -17,8 +17,8 @@ interface Tools {
 
 /** Files: a state or a lesson is saved, picked, or dropped onto the page. */
 export function createFiles({ store, say, view, readShown, withCode }: Tools) {
-  const states = () => late(() => import('../state/file.ts'));
-  const lessons = () => late(() => import('./lesson/own-lesson.ts'));
+  const states = () => lazy(() => import('../state/file.ts'));
+  const lessons = () => lazy(() => import('./lesson/own-lesson.ts'));
 
   const openAnywhere = (text: string): void => {
     // Only a lesson begins with a line of three dashes.

@@ -1,7 +1,7 @@
 import { html, render, type TemplateResult } from 'lit';
 import type { AppState, PageId } from '../state/state.ts';
-import { late, notLoaded } from '../ui/late.ts';
-import { SINGLE_PAGES } from './late-pages.ts';
+import { lazy, notLoaded } from '../ui/lazy.ts';
+import { SINGLE_PAGES } from './lazy-pages.ts';
 import type { MountPage, PageContext, PageView } from './page.ts';
 
 /** ms after which the page says that it is being loaded. */
@@ -10,10 +10,10 @@ const PATIENCE_MS = 300;
 const LONG_MS = 15_000;
 
 /** The code of each page but Explore, loaded when the page is first shown. */
-const LATE_PAGES: Readonly<Partial<Record<PageId, () => Promise<MountPage>>>> = {
+const LAZY_PAGES: Readonly<Partial<Record<PageId, () => Promise<MountPage>>>> = {
   ...SINGLE_PAGES,
   lesson: () =>
-    late(() => import('./lesson/lesson-page.ts')).then(({ mountLesson }) => mountLesson),
+    lazy(() => import('./lesson/lesson-page.ts')).then(({ mountLesson }) => mountLesson),
 };
 
 interface PageSwitcher {
@@ -28,7 +28,7 @@ interface PageSwitcher {
 }
 
 interface PageSwitcherTools extends PageContext {
-  /** Draws Explore into the element that it got at first. */
+  /** Mounts Explore into an element, and draws it there. */
   readonly explore: { mount(host: HTMLElement): void; render(state: AppState): void };
   /** Called when a page's code is loaded, before its settings are read. */
   readonly arrived: (view: PageView) => void;
@@ -58,7 +58,7 @@ export function createPageSwitcher(main: HTMLElement, tools: PageSwitcherTools):
   };
 
   const mount = (page: PageId, host: HTMLElement): void => {
-    const code = LATE_PAGES[page];
+    const code = LAZY_PAGES[page];
     if (code) load(page, code, host);
     else tools.explore.mount(host);
   };
@@ -107,7 +107,7 @@ export function createPageSwitcher(main: HTMLElement, tools: PageSwitcherTools):
   return {
     show(state) {
       if (state.page !== shown) place(state.page);
-      if (LATE_PAGES[state.page]) views.get(state.page)?.render(state);
+      if (LAZY_PAGES[state.page]) views.get(state.page)?.render(state);
       else tools.explore.render(state);
     },
     again,

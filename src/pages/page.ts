@@ -5,7 +5,7 @@ import type { ExportItem } from './export-dialog.ts';
 
 /**
  * Makes a page other than Explore. A page is an entry in PAGES (state/state.ts) and one in
- * SINGLE_PAGES (late-pages.ts); its code is a chunk of its own. Its link carries its settings:
+ * SINGLE_PAGES (lazy-pages.ts); its code is a chunk of its own. Its link carries its settings:
  * texts under keys, which the page reads and checks itself. It changes them by the action
  * 'settings'; null sets a key to its default, which is left out of the link. What is lost with the
  * page (hover, results of a measurement, a picture) it keeps in closures; it calls `changed` to be
@@ -36,7 +36,7 @@ export interface PageView {
   score?(): { readonly right: number; readonly asked: number };
   /** Goes one step forward or back, for the keys of a clicker. */
   turn?(by: 1 | -1): void;
-  /** Opens a window with notes and a clock, for who presents. */
+  /** Opens the presenter's window. */
   present?(): void;
   /** Called when another page is shown; the element is kept outside of the document. */
   rest?(): void;

@@ -19,7 +19,7 @@ import type { Comparison, Piece } from '../state/verdict-parts.ts';
 
 import type { VerdictWords } from '../state/verdict-words.ts';
 
-import { rootTexts } from '../text/apart.ts';
+import { rootTexts } from '../text/distinguish.ts';
 
 import { display } from '../text/format.ts';
 import { subscript } from '../text/scripts.ts';

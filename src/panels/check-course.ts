@@ -16,7 +16,7 @@ interface CourseView {
   /** Why the last report was not taken; '' if it was. */
   readonly problem: string;
   /** Statements that were not taken, and whether this device keeps them. */
-  readonly untaken: { readonly count: number; readonly isKept: boolean };
+  readonly unsent: { readonly count: number; readonly isKept: boolean };
 }
 
 interface CourseTools {
@@ -33,7 +33,7 @@ export function courseBox(view: CourseView, tools: CourseTools): TemplateResult 
 }
 
 function content(view: CourseView, tools: CourseTools): TemplateResult {
-  const { name, why, isShown, readOnly, report, problem, untaken } = view;
+  const { name, why, isShown, readOnly, report, problem, unsent } = view;
   if (!report) {
     return html`<p data-say="problem">No answer is reported: ${name} was not reached, ${why}.
       Whoever marks this set can take the code under “Hand in” instead.</p>`;
@@ -51,7 +51,7 @@ function content(view: CourseView, tools: CourseTools): TemplateResult {
         ? html`<p data-say="problem">The course system did not take the last report: ${problem}.
             Nothing is lost on this page: it goes with the next answer, or now.
             <button type="button" class="button small" @click=${tools.again}>Report again</button>
-            ${untaken.count > 0 ? untakenWords(untaken, tools) : nothing}
+            ${unsent.count > 0 ? unsentWords(unsent, tools) : nothing}
           </p>`
         : nothing
     }
@@ -66,8 +66,8 @@ function content(view: CourseView, tools: CourseTools): TemplateResult {
       “Hand in”, from which this page goes on where it was left.</p>`;
 }
 
-const untakenWords = (
-  { count, isKept }: CourseView['untaken'],
+const unsentWords = (
+  { count, isKept }: CourseView['unsent'],
   { save }: CourseTools,
 ): TemplateResult =>
   html`${count === 1 ? 'One statement waits' : `${count} statements wait`}${

@@ -1,7 +1,7 @@
 import { html, mathml, nothing, type TemplateResult } from 'lit';
 import { digitCount, markDigits } from '../lab/digits.ts';
 import { whyLost } from '../lab/explain.ts';
-import type { Losses, Step } from '../lab/losses.ts';
+import type { Losses, StepLoss } from '../lab/losses.ts';
 import { plainText } from '../lab/plain-text.ts';
 import { type Surd, toNumber } from '../math/exact.ts';
 import { display, shortest } from '../text/format.ts';
@@ -36,7 +36,7 @@ export function digitSteps(title: string, { steps, worst }: Losses): TemplateRes
   </div>`;
 }
 
-function stepRow(step: Step, isWorst: boolean): TemplateResult {
+function stepRow(step: StepLoss, isWorst: boolean): TemplateResult {
   const { letter, expr, own, digits, exact, lost } = step;
   const name = letter && letter !== expr ? mathml`${typesetSymbols(letter)}<mo>=</mo>` : '';
   const count = digits === null ? 0 : digitCount(digits);

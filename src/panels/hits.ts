@@ -5,7 +5,7 @@ import { AXES } from '../math/shapes.ts';
 import type { ExploreModel } from '../state/derive.ts';
 import type { HitRole } from '../state/scene-model.ts';
 import type { HitWords } from '../state/verdict-words.ts';
-import { rootTexts } from '../text/apart.ts';
+import { rootTexts } from '../text/distinguish.ts';
 import { display } from '../text/format.ts';
 import { symbol } from './formula.ts';
 import { value } from './value.ts';

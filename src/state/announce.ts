@@ -1,6 +1,6 @@
 import { findShape } from '../math/shapes.ts';
-import { rootTexts } from '../text/apart.ts';
 import { withArticle } from '../text/article.ts';
+import { rootTexts } from '../text/distinguish.ts';
 import { display, displayTriple } from '../text/format.ts';
 import { subscript } from '../text/scripts.ts';
 import { spokenName } from '../text/spoken.ts';

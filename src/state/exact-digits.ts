@@ -1,7 +1,7 @@
 import { decimalDigits, type Surd } from '../math/exact.ts';
 import { type Derivation, exact, type Step } from '../math/formula.ts';
 import type { Intersection } from '../math/index.ts';
-import { digitsToTell } from '../text/apart.ts';
+import { digitsToTell } from '../text/distinguish.ts';
 import {
   CERTAIN_DIGITS,
   type DisplayParts,

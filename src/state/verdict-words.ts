@@ -1,7 +1,7 @@
 import type { TypedNumber, Values } from '../math/formula.ts';
 import type { Intersection, Ray, Shape } from '../math/index.ts';
 import { definitionOf } from '../math/shapes.ts';
-import { rootTexts } from '../text/apart.ts';
+import { rootTexts } from '../text/distinguish.ts';
 import { display } from '../text/format.ts';
 import { subscript } from '../text/scripts.ts';
 import { curvedVerdict } from './curved-verdict.ts';

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import { whereLost, whyLost } from '../../src/lab/explain.ts';
-import { lossesOf, type Step } from '../../src/lab/losses.ts';
+import { lossesOf, type StepLoss } from '../../src/lab/losses.ts';
 import { thisRay } from '../../src/lab/this-ray.ts';
 import { METHODS } from '../../src/math/methods/index.ts';
 import { INITIAL, rayOf, shapeOf } from '../../src/state/state.ts';
@@ -41,7 +41,7 @@ test.each([
   expect(worst?.text).toBe(text);
   expect(worst?.cause?.kind).toBe('total');
   expect(brief).toBe(`${text}: all digits cancel`);
-  expect(whyLost(worst as Step)).toContain(
+  expect(whyLost(worst as StepLoss)).toContain(
     `all leading digits of B² and 4 A C agree; the difference, ${difference}`,
   );
 });

@@ -726,7 +726,7 @@ describe('these rules would notice', () => {
   });
 });
 
-test('late code is asked for by `late`, which fetches again what failed', () => {
+test('code that is loaded lazily is imported by `lazy`, which loads again what failed', () => {
   const asks = Object.entries(SRC).flatMap(([path, source]) =>
     // A worker has no document; the offline file carries what is imported as text.
     /^src\/scene\/effects\//.test(path)
@@ -736,6 +736,6 @@ test('late code is asked for by `late`, which fetches again what failed', () => 
           .filter((line) => !/typeof import\(|\?raw/.test(line)),
   );
   expect(asks.length).toBeGreaterThan(5);
-  // Or by what hands it to `late`: lateCard.
-  for (const line of asks) expect(line).toMatch(/late\w*\( ?\(\) => import\(/);
+  // Also by functions that pass it on to `lazy`: lazyCard.
+  for (const line of asks) expect(line).toMatch(/lazy\w*\( ?\(\) => import\(/);
 });

@@ -2,7 +2,7 @@ import { quote } from '../../math/shapes.ts';
 import type { Output } from './judge.ts';
 
 /** The message of the page to the sandbox. It contains no expected results. */
-export interface Run {
+export interface RunMessage {
   readonly type: 'run';
   readonly id: number;
   readonly source: string;

@@ -27,7 +27,7 @@ export const ZOOMS: Readonly<Record<Measure, readonly [least: number, most: numb
 const ONE_DOUBLE = ZOOMS.ulps[1];
 
 /** From one pixel of an axis to the next. */
-export type Step =
+export type PixelStep =
   | { readonly by: 'doubles'; readonly count: number }
   | { readonly by: 'lengths'; readonly size: number }
   | { readonly by: 'decades'; readonly size: number };
@@ -35,7 +35,7 @@ export type Step =
 /** An axis of a window. Pixel `MIDDLE` has the number `at` itself; numbers ascend. */
 export interface MapScale {
   readonly at: number;
-  readonly step: Step;
+  readonly step: PixelStep;
   /** The number at a pixel, any whole one, also outside of the window; rounded once or twice. */
   numberAt(pixel: number): number;
   /** The pixel whose number is nearest to x, also outside of the window. */
@@ -65,13 +65,13 @@ export function scaleOf(measure: Measure, zoom: number, at: number): MapScale {
   };
 }
 
-function offsetOf(at: number, step: Step, x: number): number {
+function offsetOf(at: number, step: PixelStep, x: number): number {
   if (step.by === 'doubles') return (Math.sign(x - at) * ulpDistance(at, x)) / step.count;
   if (step.by === 'lengths') return (x - at) / step.size;
   return (Math.sign(at) * Math.log10(x / at)) / step.size;
 }
 
-function stepOf(measure: Measure, zoom: number, at: number): Step {
+function stepOf(measure: Measure, zoom: number, at: number): PixelStep {
   if (measure === 'ulps') {
     return { by: 'doubles', count: Math.max(1, Math.round(powerOfTen(ONE_DOUBLE - zoom))) };
   }
@@ -83,9 +83,9 @@ function stepOf(measure: Measure, zoom: number, at: number): Step {
   return size > ulp ? { by: 'lengths', size } : ONE;
 }
 
-const ONE: Step = { by: 'doubles', count: 1 };
+const ONE: PixelStep = { by: 'doubles', count: 1 };
 
-function numberAt(at: number, step: Step, offset: number): number {
+function numberAt(at: number, step: PixelStep, offset: number): number {
   if (offset === 0) return at;
   if (step.by === 'doubles') return stepped(at, offset * step.count);
   if (step.by === 'lengths') return at + offset * step.size;

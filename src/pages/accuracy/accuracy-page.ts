@@ -23,8 +23,8 @@ import { createAtlas } from './atlas/atlas.ts';
 import { readyMaps } from './atlas/ready-view.ts';
 import { plotExports, saveButtons, tableExports } from './exports.ts';
 import { spawnLab, sweepJob } from './lab-jobs.ts';
-import { layOut } from './lay-out.ts';
 import { createMeasuring } from './measuring.ts';
+import { createAreas } from './page-areas.ts';
 import { answerHead, hardnessHead, hardnessWords, plotSaves } from './plot-headings.ts';
 import { provenanceOf } from './provenance.ts';
 import { createRayView, hiddenRay } from './ray-view.ts';
@@ -52,7 +52,7 @@ export const mountAccuracy: MountPage = (host, { dispatch, changed, announce }) 
   let picked: Picked | null = null;
   let findings: Findings | null = null;
 
-  const places = layOut(host);
+  const places = createAreas(host);
   const frontier = mountFrontier(places.frontier, (id) => dispatch({ type: 'method', id }));
   const hardness = mountHardness(places.hardness, {
     picked: () => picked,
@@ -64,7 +64,7 @@ export const mountAccuracy: MountPage = (host, { dispatch, changed, announce }) 
   });
 
   const atlas = createAtlas(places.atlas, { dispatch, changed, announce, toRay });
-  /** What is in the map's place while there is none. */
+  /** The areas that are shown while no map is. */
   const plots = [
     ...[places.head, places.plot, places.bar, places.hardHead, places.hard, places.ready],
   ];
@@ -152,7 +152,7 @@ export const mountAccuracy: MountPage = (host, { dispatch, changed, announce }) 
       const settings = readAccuracy(state.settings.accuracy).values;
       const ray = shownRay(state);
       isMap = settings.atlas !== '';
-      // A map would tell what is hidden.
+      // A map would show the hidden results.
       places.atlas.hidden = !isMap || !ray;
       for (const place of plots) place.hidden = isMap;
       host.classList.toggle('has-map', isMap);
@@ -207,6 +207,6 @@ export const mountAccuracy: MountPage = (host, { dispatch, changed, announce }) 
 function withRay(state: AppState, { shape, ray }: Question, method: string): AppState {
   const shapes = { ...state.shapes, [shape.kind]: shape };
   const { origin: E, direction: d } = ray;
-  // What was hidden is about the ray that was there before.
+  // Hidden results were those of the ray before.
   return { ...state, kind: shape.kind, shapes, E, d, unit: false, method, revealed: null };
 }

@@ -1,7 +1,7 @@
 import type { LabReply, LabRequest } from '../../lab/messages.ts';
 import type { Measured, MeasureRequest } from '../../lab/session.ts';
 import type { SweepPoint, SweepRequest } from '../../lab/sweep.ts';
-import { late } from '../../ui/late.ts';
+import { lazy } from '../../ui/lazy.ts';
 import { moduleWorker, startWatched } from '../../workers/life.ts';
 
 /** The part of the Worker interface that the page uses. */
@@ -126,9 +126,9 @@ function createJob<Request, Result>(
 /** Starts a worker; the offline file holds its code inline. */
 export async function spawnLab(): Promise<LabWorker> {
   if (import.meta.env.MODE === 'single') {
-    const { default: Lab } = await late(() => import('../../workers/lab.ts?worker&inline'));
+    const { default: Lab } = await lazy(() => import('../../workers/lab.ts?worker&inline'));
     return startWatched((options) => new Lab(options));
   }
-  const { default: url } = await late(() => import('../../workers/lab.ts?worker&url'));
+  const { default: url } = await lazy(() => import('../../workers/lab.ts?worker&url'));
   return startWatched((options) => moduleWorker(url, options));
 }

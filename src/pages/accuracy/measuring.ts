@@ -67,7 +67,7 @@ export function createMeasuring(spawn: Spawn, changed: () => void, whenIdle = id
 
 /** Pause in ms before a measurement starts; steps of a dragged dial are closer together. */
 const PAUSE = 300;
-/** Longest wait in ms for a page that is never idle: a busy machine is told by the spread. */
+/** Longest wait in ms for an idle page; on a busy machine the spread of the times shows it. */
 const LONGEST_WAIT = 2000;
 
 function idle(act: () => void): void {

@@ -66,7 +66,7 @@ export function createRayView(dispatch: Dispatch, announce: (words: string) => v
   };
 }
 
-/** In place of that, while the results of the ray are hidden on Explore. */
+/** The section in place of the ray's table while its results are hidden on Explore. */
 export const hiddenRay = (dispatch: Dispatch): TemplateResult =>
   html`<div class="acc-title">
       <h2>This ray</h2>
@@ -81,8 +81,8 @@ export const hiddenRay = (dispatch: Dispatch): TemplateResult =>
 const NOT_MOVED = 'Move an input by one double: what that changes is said here.';
 
 /**
- * Notes which inputs were moved until the page is drawn, and then words on what that changed, until
- * the ray changes. The words are announced as well.
+ * Keeps which inputs were moved since the page was drawn. The next drawing makes words of what that
+ * changed, announces them, and shows them until the ray changes again.
  */
 function createAnswer(announce: (words: string) => void) {
   const moved = new Map<string, { readonly from: number; to: number }>();

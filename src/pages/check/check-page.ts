@@ -1,9 +1,9 @@
 import { html, nothing, render } from 'lit';
 import { COURSE_ELEMENT, readCourse } from '../../state/course/course.ts';
-import { late, notLoaded } from '../../ui/late.ts';
+import { lazy, notLoaded } from '../../ui/lazy.ts';
 import type { ExportItem } from '../export-dialog.ts';
 import type { MountPage } from '../page.ts';
-import { openMemory } from './memory.ts';
+import { openCheckStorage } from './check-storage.ts';
 import { createOwn } from './own-numbers.ts';
 import { mountProgram } from './own-program.ts';
 import {
@@ -12,7 +12,7 @@ import {
   type PartContext,
   turnablePicture,
   type WidePart,
-} from './part.ts';
+} from './page-parts.ts';
 import { createQuestions } from './questions.ts';
 import {
   type CheckSettings,
@@ -26,8 +26,8 @@ import './check-page.css';
 
 /** The code of the parts for lecturers. */
 const WIDE: Readonly<Partial<Record<PartId, () => Promise<(part: PartContext) => WidePart>>>> = {
-  set: () => late(() => import('./set-part.ts')).then(({ createSetPart }) => createSetPart),
-  class: () => late(() => import('./class-part.ts')).then(({ createClassPart }) => createClassPart),
+  set: () => lazy(() => import('./set-part.ts')).then(({ createSetPart }) => createSetPart),
+  class: () => lazy(() => import('./class-part.ts')).then(({ createClassPart }) => createClassPart),
 };
 
 const isWide = (id: PartId): boolean => PARTS.some((one) => one.id === id && one.wide);
@@ -56,14 +56,14 @@ export const mountCheck: MountPage = (host, context) => {
   let session: CourseSession | null = null;
   const part: PartContext = {
     ...context,
-    memory: openMemory(),
+    storage: openCheckStorage(),
     set: (wanted) => context.dispatch({ type: 'settings', values: settingsFor(wanted) }),
     course: () => session,
   };
   const questions = createQuestions(part);
   const course = readCourse(document.getElementById(COURSE_ELEMENT)?.textContent);
   if (course) {
-    late(() => import('./course.ts'))
+    lazy(() => import('./course.ts'))
       .then(({ joinCourse }) => joinCourse(course, part))
       .then((joined) => {
         session = joined;

@@ -14,13 +14,13 @@ import { type ClassTools, classForm } from '../../panels/check-class.ts';
 import { codesIn, readHandIn } from '../../state/hand-in.ts';
 import { chosenFiles, download, droppedFiles, readTexts } from '../../ui/files.ts';
 import { createGrades } from './grades.ts';
-import { element, type PartContext, type WidePart } from './part.ts';
+import { element, type PartContext, type WidePart } from './page-parts.ts';
 import type { CheckSettings } from './settings.ts';
 
-/** ms of marking after which the page may draw and answer; a question takes up to some 100. */
+/** ms of marking after which the page may draw and handle events; one question takes up to 100. */
 const SLICE_MS = 12;
 
-/** Where the codes of a class are marked, in slices. */
+/** The part 'Mark a class': marks hand-in codes in slices of time, and grades programs. */
 export function createClassPart(part: PartContext): WidePart {
   const { changed } = part;
   let host: HTMLElement | null = null;
@@ -110,7 +110,7 @@ export function createClassPart(part: PartContext): WidePart {
       const programs: { readonly path: string; readonly text: string }[] = [];
       for (const { path, text: content } of await readTexts(files)) {
         const name = path.slice(-60);
-        // Beside what people put into a folder there is what systems do: .DS_Store.
+        // Operating systems add files of their own to folders: .DS_Store.
         if (path.split('/').at(-1)?.startsWith('.')) continue;
         if (content === null) problems = [...problems, `${name}: larger than 2 MB`];
         else if (isGraded(path) && codesIn(content).length === 0) {

@@ -15,32 +15,32 @@ import { connectXapi, type Request, readLaunch } from '../../state/course/xapi.t
 import { readHandIn } from '../../state/hand-in.ts';
 import { download } from '../../ui/files.ts';
 import { recall, remember } from '../../ui/storage.ts';
-import type { CourseSession, PartContext } from './part.ts';
+import { BROWSER_ENVIRONMENT } from './browser-environment.ts';
+import type { CourseSession, PartContext } from './page-parts.ts';
 import { findApi } from './scorm-window.ts';
 import { LONGEST_NAME } from './settings.ts';
-import { SURROUNDINGS } from './surroundings.ts';
 
-/** What could not be handed over, until it is taken. */
-const UNTAKEN = 'graze.check.course';
+/** Key in the browser's storage of reports that the course system has not accepted. */
+const UNSENT_KEY = 'graze.check.course';
 
-interface Untold {
+interface UnsentReport {
   /** The student's id. */
   readonly learner: string;
-  /** '' where it was taken. */
+  /** The hand-in code; '' if it was accepted. */
   readonly state: string;
   readonly statements: readonly unknown[];
 }
 
-/** Most students of whom something is kept on a device, the latest. */
+/** Most students whose unsent reports are kept on a device: the latest ones. */
 const MOST_STUDENTS = 20;
 
-/** ms after which a record store that says nothing does not answer. */
-const PATIENCE = 30_000;
+/** ms after which a request to a record store fails. */
+const ANSWER_TIMEOUT_MS = 30_000;
 
 /** Takes up the session of a package's set where the course system has it. */
 export async function joinCourse(
   course: Course,
-  { memory, set, changed }: PartContext,
+  { storage, set, changed }: PartContext,
 ): Promise<CourseSession> {
   const system = COURSE_SYSTEMS.find(({ id }) => id === course.system);
   const found = await connect(course, system);
@@ -51,19 +51,19 @@ export async function joinCourse(
   let latest = started(seed, course.set);
   let place = 0;
   let handedIn = connection?.complete === true;
-  let untold = false;
+  let isUnsent = false;
   let ended = false;
   let problem = '';
   const open = (): void =>
     set({ part: 'questions', set: course.set, seed: course.seed, who, question: place });
   if (connection) {
-    const kept = untoldOf(learner);
+    const kept = unsentReportOf(learner);
     connection.unsent?.restore(kept.statements);
     latest =
       sessionIn(kept.state, course, who) ?? sessionIn(connection.state, course, who) ?? latest;
     const { total } = reportNow(connection);
     place = Math.min(connection.place, Math.max(0, total - 1));
-    memory.keep(latest);
+    storage.keep(latest);
     open();
   }
   function reportNow({ most }: Connection): CourseReport {
@@ -71,29 +71,29 @@ export async function joinCourse(
   }
   const tell = async (answered: Answered | null): Promise<void> => {
     if (!connection || ended || connection.readOnly) return;
-    untold = false;
+    isUnsent = false;
     const report = reportNow(connection);
     problem = await connection.send(report, answered);
     keep(problem ? report.state : '');
     changed();
   };
   const waiting = (): readonly unknown[] => connection?.unsent?.now() ?? [];
-  const untakenNow = () => {
+  const unsentNow = () => {
     const { length: count } = waiting();
-    return { count, isKept: untoldOf(learner).statements.length === count };
+    return { count, isKept: unsentReportOf(learner).statements.length === count };
   };
-  const keep = (state: string): void => keepUntold({ learner, state, statements: waiting() });
+  const keep = (state: string): void => storeUnsent({ learner, state, statements: waiting() });
   if (connection) {
     if (connection.unsent?.isOpen(reportNow(connection))) void tell(null);
     document.addEventListener('visibilitychange', () => {
-      if (document.visibilityState === 'hidden' && untold) void tell(null);
+      if (document.visibilityState === 'hidden' && isUnsent) void tell(null);
     });
     window.addEventListener('pagehide', () => {
       if (ended) return;
       connection.end(reportNow(connection));
       ended = true;
-      // Whether it takes them will not be heard.
-      if (waiting().length > 0) keep(untoldOf(learner).state);
+      // The page is gone before an answer arrives, so the statements stay stored.
+      if (waiting().length > 0) keep(unsentReportOf(learner).state);
     });
     // A session that has ended cannot go on: a page that comes back begins another.
     window.addEventListener('pageshow', ({ persisted }) => {
@@ -121,13 +121,13 @@ export async function joinCourse(
       [latest, place] = [progress, index];
       const answered = answeredOf(posed, index, progress, judged);
       if (answered) void tell(answered);
-      else untold = true;
+      else isUnsent = true;
     },
     changed(progress, index, now) {
       if (!isOf(progress)) return;
       [latest, place] = [progress, index];
       if (now) void tell(null);
-      else untold = true;
+      else isUnsent = true;
     },
     box: (progress) =>
       courseBox(
@@ -137,7 +137,7 @@ export async function joinCourse(
           isShown: isOf(progress),
           readOnly: connection?.readOnly === true,
           report: connection && reportNow(connection),
-          ...{ pass: course.pass, problem, untaken: untakenNow() },
+          ...{ pass: course.pass, problem, unsent: unsentNow() },
         },
         tools,
       ),
@@ -153,37 +153,37 @@ function sessionIn(code: string, course: Course, who: string): Progress | null {
     const each = asked.map((one, i) => [String(i), one] as const);
     return { seed: studentSeed(seed, who), set, asked: Object.fromEntries(each) };
   } catch {
-    // A course system may have kept half of it, or that of another page.
+    // The stored text may be cut, or of another page.
     return null;
   }
 }
 
-function allUntold(): readonly Untold[] {
+function allUnsent(): readonly UnsentReport[] {
   try {
-    const all: unknown = JSON.parse(recall(UNTAKEN) || '[]');
-    return Array.isArray(all) ? all.flatMap(readUntold) : [];
+    const all: unknown = JSON.parse(recall(UNSENT_KEY) || '[]');
+    return Array.isArray(all) ? all.flatMap(readUnsent) : [];
   } catch {
     return [];
   }
 }
 
-function readUntold(value: unknown): Untold[] {
-  const { learner, state, statements } = (value ?? {}) as Partial<Untold>;
+function readUnsent(value: unknown): UnsentReport[] {
+  const { learner, state, statements } = (value ?? {}) as Partial<UnsentReport>;
   if (typeof learner !== 'string' || typeof state !== 'string') return [];
   return [{ learner, state, statements: Array.isArray(statements) ? statements : [] }];
 }
 
-const untoldOf = (learner: string): Untold =>
-  allUntold().find((one) => one.learner === learner) ?? { learner, state: '', statements: [] };
+const unsentReportOf = (learner: string): UnsentReport =>
+  allUnsent().find((one) => one.learner === learner) ?? { learner, state: '', statements: [] };
 
 /** Keeps it for the student's next visit on this device. */
-function keepUntold(own: Untold): void {
-  const before = allUntold();
+function storeUnsent(own: UnsentReport): void {
+  const before = allUnsent();
   const isEmpty = own.state === '' && own.statements.length === 0;
   const others = before.filter(({ learner }) => learner !== own.learner);
   if (isEmpty && others.length === before.length) return;
   const all = isEmpty ? others : [...others, own].slice(-MOST_STUDENTS);
-  remember(UNTAKEN, JSON.stringify(all));
+  remember(UNSENT_KEY, JSON.stringify(all));
 }
 
 async function connect(
@@ -193,10 +193,10 @@ async function connect(
   if (!system) return `this page does not know how to speak with ${course.system}`;
   if (!system.scorm) {
     const launch = readLaunch(location.search, course);
-    return typeof launch === 'string' ? launch : connectXapi(launch, request, SURROUNDINGS);
+    return typeof launch === 'string' ? launch : connectXapi(launch, request, BROWSER_ENVIRONMENT);
   }
   const { api, blocked } = findApi(system.scorm.api, window);
-  if (api) return connectScorm(system.scorm, api, SURROUNDINGS);
+  if (api) return connectScorm(system.scorm, api, BROWSER_ENVIRONMENT);
   return blocked
     ? 'the windows around this page are out of its reach (a sandbox, or another address)'
     : 'there is none in the windows around this page';
@@ -205,7 +205,7 @@ async function connect(
 const request: Request = async (url, { method, headers, body, last }) => {
   const response = await fetch(url, {
     ...{ method, headers, keepalive: last, credentials: 'omit', cache: 'no-store' },
-    signal: AbortSignal.timeout(PATIENCE),
+    signal: AbortSignal.timeout(ANSWER_TIMEOUT_MS),
     ...(body === null ? {} : { body }),
   });
   return { status: response.status, text: await response.text() };

@@ -14,7 +14,7 @@ import { gradesPart } from '../../panels/check-grades.ts';
 import { zipOf } from '../../state/zip.ts';
 import { parseNumber } from '../../text/parse.ts';
 import { download } from '../../ui/files.ts';
-import type { PartContext } from './part.ts';
+import type { PartContext } from './page-parts.ts';
 import { allWords, createRuns, kindsFor } from './program-run.ts';
 import { type CheckSettings, seedProblem } from './settings.ts';
 
@@ -44,9 +44,9 @@ export function createGrades(
   let running: { readonly done: number; readonly total: number } | null = null;
   let weights = WEIGHTS;
   let refusals: Record<string, string> = {};
-  /** What the table is about: it stays when the link changes. */
+  /** The shapes and the seed of the graded cases, which stay when the link changes. */
   let about = '';
-  /** Grows with each round, so that one that was ended knows it. */
+  /** Grows with each round of grading, so that an earlier round stops. */
   let round = 0;
   let heard = (): void => {};
   const runs = createRuns(
@@ -83,7 +83,7 @@ export function createGrades(
       running = { done, total: all.length };
       changed();
       const one = await gradeOne(submission);
-      // The page answers between two files of results, too.
+      // Lets the page draw and handle events between two files.
       await new Promise((resolve) => setTimeout(resolve));
       if (own !== round) return;
       graded = [...graded, one];

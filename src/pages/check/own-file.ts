@@ -1,12 +1,12 @@
 const OFFLINE = import.meta.env.MODE === 'single';
 const FILE = './offline.html';
 
-/** What only the one file has: its licences within it. */
+/** An element that only the offline file has: the licences. */
 const MARK = '<template id="third-party">';
 
 /**
- * Graze as one file, which works without others: of a site, the file beside it; of the one file,
- * itself as it was before it ran.
+ * The text of the offline file: on a site it is fetched, in the offline file it is this document
+ * without what its scripts have added.
  *
  * @throws RangeError with words on why it cannot be had.
  */
@@ -27,7 +27,7 @@ async function fetched(): Promise<string> {
   return response.text();
 }
 
-/** Scripts and styles stand in the document as they came; what they made is left out. */
+/** The document's scripts and styles as loaded, with an empty page. */
 function itself(): string {
   const head = document.head.cloneNode(true) as HTMLHeadElement;
   for (const one of head.querySelectorAll('script:not([type="module"])')) one.remove();

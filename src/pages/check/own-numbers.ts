@@ -9,19 +9,19 @@ import { createDerive } from '../../state/derive.ts';
 import { exploreDetails } from '../../state/explore-details.ts';
 import { type AppState, rayOf, shapeOf } from '../../state/state.ts';
 import { typedValues } from '../../state/typed-values.ts';
-import type { LeftPart, PartContext } from './part.ts';
+import type { LeftPart, PartContext } from './page-parts.ts';
 
 /** A student's own derivation for the ray and shape of the link, which are Explore's. */
-export function createOwn({ memory, dispatch, changed }: PartContext): LeftPart {
+export function createOwn({ storage, dispatch, changed }: PartContext): LeftPart {
   const derive = createDerive(() => exploreDetails);
-  let texts: Texts = memory.own();
+  let texts: Texts = storage.own();
   let input: Input | null = null;
   let typed: AppState['typed'] | null = null;
   let report: OwnReport | null = null;
   const put = (next: Texts): void => {
     texts = next;
     report = null;
-    memory.keepOwn(texts);
+    storage.keepOwn(texts);
     changed();
   };
   /** The input, the same object while its numbers are the same; a new one clears the report. */

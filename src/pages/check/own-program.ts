@@ -9,7 +9,7 @@ import { editor, exchange, programHead } from '../../panels/check-program.ts';
 import type { ProgramTools } from '../../panels/check-program-view.ts';
 import { programReport } from '../../panels/check-report.ts';
 import { download, pickFile } from '../../ui/files.ts';
-import { element, type PartContext, turnablePicture } from './part.ts';
+import { element, type PartContext, turnablePicture } from './page-parts.ts';
 import { allWords, createRuns, kindsFor } from './program-run.ts';
 import { exploreLink } from './question-scene.ts';
 import { type CheckSettings, seedProblem } from './settings.ts';
@@ -28,7 +28,7 @@ const TYPES = { json: 'application/json', csv: 'text/csv' } as const;
 /** The student's own program: its text, its run in the sandbox, the report and a failing case. */
 export function mountProgram(
   host: HTMLElement,
-  { memory, changed, ...part }: PartContext,
+  { storage, changed, ...part }: PartContext,
 ): Program {
   const main = element('check-program', host);
   const failing = element('check-stage check-failing', host);
@@ -43,9 +43,9 @@ export function mountProgram(
   let cases = '';
   let set = FIRST_SET;
   const kinds = (): readonly ShapeKind[] => kindsFor(cases, set);
-  // A stored text that is too long for the box (older versions allowed it) is kept until another
+  // A stored program that is too long to edit (older versions allowed it) is kept until a new one
   // is written.
-  const kept = memory.program();
+  const kept = storage.program();
   let unshown = kept !== null && tooLong(kept) !== '' ? kept : null;
   let written = unshown === null ? kept : null;
   let refusal =
@@ -69,7 +69,7 @@ export function mountProgram(
       written = text;
       unshown = null;
       refusal = '';
-      memory.keepProgram(text);
+      storage.keepProgram(text);
     }
     changed();
   };

@@ -11,8 +11,8 @@ import { setName, setOf } from '../../check/sets.ts';
 import { SHAPES } from '../../math/index.ts';
 import type { ShapeKind } from '../../math/shapes.ts';
 import type { ProgramView } from '../../panels/check-program-view.ts';
-import { late } from '../../ui/late.ts';
-import { runInSandbox } from './sandbox.ts';
+import { lazy } from '../../ui/lazy.ts';
+import { IGNORE_MESSAGES, runInSandbox } from './sandbox.ts';
 
 /**
  * Number of ordinary cases that are timed: enough to have every kind, few enough for short rounds.
@@ -101,7 +101,7 @@ export function createRuns(
       new Promise((resolve) => {
         const outputs: Output[] = [];
         const heard = {
-          ...SILENT,
+          ...IGNORE_MESSAGES,
           output: (_: number, output: Output) => void outputs.push(output),
           end: () => resolve(outputs),
         };
@@ -122,7 +122,7 @@ export function createRuns(
       leave();
       ended();
     };
-    const { shrunk } = await late(() => import('../../check/program/shrink.ts'));
+    const { shrunk } = await lazy(() => import('../../check/program/shrink.ts'));
     if (call !== calls) return;
     const branches = await shrunk(report.branches, again);
     if (call !== calls) return;
@@ -224,7 +224,7 @@ export function createRuns(
       calls++;
       finish([], [], 'Cancelled.');
     };
-    const loaded = await late(() => import('../../check/program/strip.ts')).catch(() => null);
+    const loaded = await lazy(() => import('../../check/program/strip.ts')).catch(() => null);
     if (call !== calls) return;
     if (!loaded) {
       const words = 'The code that takes types away could not be loaded: try again.';
@@ -281,11 +281,3 @@ const firstOf = ({ branches }: Report): Failure | null =>
   branches.find(({ first }) => first !== null)?.first ?? null;
 
 type Job = Parameters<typeof runInSandbox>[1];
-
-const SILENT = {
-  note() {},
-  console() {},
-  unsteady() {},
-  timing() {},
-  untimed() {},
-};

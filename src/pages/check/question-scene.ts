@@ -36,7 +36,7 @@ export function exploreLink(input: Input): string | null {
   return finite ? encode(stateOf(input)) : null;
 }
 
-export interface Wanted {
+export interface QuestionSceneInput {
   /** The input to draw, without a parameter that is asked for and not yet solved. */
   readonly input: Input;
   /** Whether hits, normals and bead are drawn: once a question is solved or given up. */
@@ -45,16 +45,16 @@ export interface Wanted {
   readonly answers: Answers | null;
   /** Quantities that the question gives. */
   readonly given: Answers;
-  /** Words, beside the picture and in its description, on what of it is not given; '' for none. */
+  /** Words beside the picture and in its description on a hidden quantity; '' for none. */
   readonly note: string;
   readonly view: View;
 }
 
 /** Makes the scene of one picture, with a cache of its own. */
-export function createPicture(): (wanted: Wanted) => SceneModel {
+export function createQuestionScene(): (wanted: QuestionSceneInput) => SceneModel {
   const derive = createDerive(() => exploreDetails);
   const framed = ({ shape, between }: Input) => (between ? endPoints(shape, between) : []);
-  let last: Wanted | null = null;
+  let last: QuestionSceneInput | null = null;
   let before: SceneModel | null = null;
   let state = INITIAL;
   return (wanted) => {
@@ -81,7 +81,7 @@ export function createPicture(): (wanted: Wanted) => SceneModel {
 }
 
 /** The scene of an unsolved question: the input and the student's values, without results. */
-function unsolved(wanted: Wanted): SceneModel {
+function unsolved(wanted: QuestionSceneInput): SceneModel {
   const { input, answers, note, view } = wanted;
   const points = answers ? pointsOf(input, answers).filter(isFinitePoint) : [];
   const scene = sceneWithoutResults(input, points, view);
@@ -101,7 +101,7 @@ function unsolved(wanted: Wanted): SceneModel {
 }
 
 /** The scene of two surfaces with the hits of both: t₁, t₂ of the first, s₁, s₂ of the second. */
-function solvedOfTwo({ input, view }: Wanted, other: Shape): SceneModel {
+function solvedOfTwo({ input, view }: QuestionSceneInput, other: Shape): SceneModel {
   const { ray } = input;
   const rootsOf = (shape: Shape) =>
     intersect(shape, ray).hits.map(({ t, point }, i) => ({ t, point, index: i + 1 }));
@@ -130,7 +130,10 @@ function solvedOfTwo({ input, view }: Wanted, other: Shape): SceneModel {
 const isFinitePoint = (p: Vec3): boolean => p.every(Number.isFinite);
 
 /** A ghost with the student's t's, points or normal; null if none of them can be drawn. */
-function ghostOf({ input, answers, given }: Wanted, scene: SceneModel): GhostModel | null {
+function ghostOf(
+  { input, answers, given }: QuestionSceneInput,
+  scene: SceneModel,
+): GhostModel | null {
   if (!answers) return null;
   const { stage, ray, hits } = scene;
   const normal = ['N', 'N1'].map((id) => answers[id]).find((v) => typeof v === 'object');

@@ -22,9 +22,9 @@ import { summaryTable } from '../../panels/check-summary.ts';
 import { handInCode, handInOf } from '../../state/hand-in.ts';
 import { copyText } from '../../ui/clipboard.ts';
 import { download } from '../../ui/files.ts';
-import { late } from '../../ui/late.ts';
-import { linkCode } from '../handout/link-code.ts';
-import type { LeftPart, PartContext, Shown } from './part.ts';
+import { lazy } from '../../ui/lazy.ts';
+import { qrCode } from '../handout/qr-code.ts';
+import type { LeftPart, PartContext, QuestionPicture } from './page-parts.ts';
 import type { CheckSettings } from './settings.ts';
 
 interface Questions extends LeftPart {
@@ -38,16 +38,16 @@ interface Questions extends LeftPart {
 }
 
 /** The questions of sessions. Typed texts are kept in the browser's storage, judgements are not. */
-export function createQuestions({ memory, changed, set, say, course }: PartContext): Questions {
-  let progress = memory.session(1, FIRST_SET);
+export function createQuestions({ storage, changed, set, say, course }: PartContext): Questions {
+  let progress = storage.session(1, FIRST_SET);
   let index = 0;
   let posed: Posed = question(progress.seed, index, progress.set);
   let judged: Judged | null = null;
   /** The picture; the same object while it shows the same. */
-  let picture: Shown | null = null;
+  let picture: QuestionPicture | null = null;
   const keep = (next: Progress): void => {
     progress = next;
-    memory.keep(progress);
+    storage.keep(progress);
     changed();
   };
   const judgeNow = (): Judged => judge(derivationFor(posed), askedAt(progress, index).texts);
@@ -63,7 +63,7 @@ export function createQuestions({ memory, changed, set, say, course }: PartConte
     const seed = studentSeed(ofAll, who);
     const same = seed === progress.seed && own === progress.set;
     if (same && at === index) return;
-    if (!same) progress = memory.session(seed, own);
+    if (!same) progress = storage.session(seed, own);
     index = at;
     course()?.changed(progress, index, false);
     posed = question(seed, at, own);
@@ -73,7 +73,7 @@ export function createQuestions({ memory, changed, set, say, course }: PartConte
    * The scene, if the question has one: with hits and normals once it is solved, else the student's
    * points.
    */
-  const shown = (): Shown | null => {
+  const shown = (): QuestionPicture | null => {
     if (posed.exercise.picture) return null;
     const { texts, solvedAt, solutionShown: given } = askedAt(progress, index);
     const results = solvedAt !== null || given;
@@ -98,7 +98,7 @@ export function createQuestions({ memory, changed, set, say, course }: PartConte
     },
     save: () => download(`graze-hand-in-${progress.seed}.txt`, `${code()}\n`),
     async statements() {
-      const { saveStatements } = await late(() => import('./statements.ts'));
+      const { saveStatements } = await lazy(() => import('./statements.ts'));
       await saveStatements(progress, given);
       say('saved: the statements');
     },
@@ -107,7 +107,7 @@ export function createQuestions({ memory, changed, set, say, course }: PartConte
   const handInView = () => {
     if (!handsIn) return { who: given.who, open: false, code: '', picture: html`` };
     const now = code();
-    if (drawnCode?.code !== now) drawnCode = { code: now, picture: linkCode(now, 'code') };
+    if (drawnCode?.code !== now) drawnCode = { code: now, picture: qrCode(now, 'code') };
     return { who: given.who, open: true, ...drawnCode };
   };
   /** The question whose first box gets the focus when it is rendered. */
@@ -154,7 +154,7 @@ export function createQuestions({ memory, changed, set, say, course }: PartConte
       return { right, asked: total };
     },
     again() {
-      progress = memory.session(progress.seed, progress.set);
+      progress = storage.session(progress.seed, progress.set);
       recallVerdict();
     },
     render(head, body, _, settings) {
@@ -187,7 +187,7 @@ export function createQuestions({ memory, changed, set, say, course }: PartConte
       const box = handInBox({ ...handInView(), reported }, handIn);
       const told = own?.box(progress) ?? nothing;
       render(html`${answerForm(view, tools)}${told}${table}${box}`, body);
-      // In the same task: later it would take the focus from whoever has gone on meanwhile.
+      // In the same task: later it would take the focus from another control.
       if (arriving === index) body.querySelector<HTMLElement>('input, select')?.focus();
       arriving = null;
       return shown();

@@ -2,7 +2,7 @@ import type { Output } from '../../check/program/judge.ts';
 import {
   type ConsoleLine,
   type Reply,
-  type Run,
+  type RunMessage,
   readReply,
   type Timing,
 } from '../../check/program/protocol.ts';
@@ -14,7 +14,8 @@ type Ending =
   /** The frame or its worker did not start, so that the program never ran. */
   | { readonly how: 'unopened'; readonly message: string };
 
-interface Heard {
+/** Receives the messages of a run. */
+interface SandboxListener {
   output(index: number, output: Output): void;
   note(message: string): void;
   console(line: ConsoleLine): void;
@@ -23,6 +24,15 @@ interface Heard {
   untimed(message: string): void;
   end(ending: Ending): void;
 }
+
+/** Handlers that do nothing, for messages that a run has no use for. */
+export const IGNORE_MESSAGES: Omit<SandboxListener, 'output' | 'end'> = {
+  note() {},
+  console() {},
+  unsteady() {},
+  timing() {},
+  untimed() {},
+};
 
 /** Limits in ms until the first message: since the frame was created, and since it was loaded. */
 const OPEN_LIMIT_MS = 12_000;
@@ -42,8 +52,8 @@ let lastId = 0;
  */
 export function runInSandbox(
   host: Element,
-  job: Omit<Run, 'type' | 'id'>,
-  heard: Heard,
+  job: Omit<RunMessage, 'type' | 'id'>,
+  listener: SandboxListener,
 ): () => void {
   const id = ++lastId;
   const frame = document.createElement('iframe');
@@ -66,7 +76,7 @@ export function runInSandbox(
   const end = (ending: Ending): void => {
     if (ended) return;
     close();
-    heard.end(ending);
+    listener.end(ending);
   };
   const stop = (message: string): void => end({ how: 'stopped', message });
   const within = (ms: number, otherwise: () => void): void => {
@@ -92,7 +102,7 @@ export function runInSandbox(
       frame.contentWindow?.postMessage({ ...job, type: 'run', id }, '*');
     }
     within(FRAME_LIMIT_MS, () => stop('the sandbox did not answer'));
-    pass(reply, heard, end);
+    pass(reply, listener, end);
   };
   window.addEventListener('message', hear);
   frame.addEventListener('load', () => {
@@ -103,16 +113,16 @@ export function runInSandbox(
   return close;
 }
 
-function pass(reply: Reply, heard: Heard, end: (ending: Ending) => void): void {
-  if (reply.type === 'case') heard.output(reply.index, reply.output);
+function pass(reply: Reply, listener: SandboxListener, end: (ending: Ending) => void): void {
+  if (reply.type === 'case') listener.output(reply.index, reply.output);
   if (reply.type === 'cases') {
-    for (const [i, output] of reply.outputs.entries()) heard.output(reply.index + i, output);
+    for (const [i, output] of reply.outputs.entries()) listener.output(reply.index + i, output);
   }
-  if (reply.type === 'note') heard.note(reply.message);
-  if (reply.type === 'console') heard.console(reply);
-  if (reply.type === 'unsteady') heard.unsteady(reply.index);
-  if (reply.type === 'timing') heard.timing(reply);
-  if (reply.type === 'untimed') heard.untimed(reply.message);
+  if (reply.type === 'note') listener.note(reply.message);
+  if (reply.type === 'console') listener.console(reply);
+  if (reply.type === 'unsteady') listener.unsteady(reply.index);
+  if (reply.type === 'timing') listener.timing(reply);
+  if (reply.type === 'untimed') listener.untimed(reply.message);
   if (reply.type === 'done') end({ how: 'done' });
   if (reply.type === 'refused') end({ how: 'refused', message: reply.message, line: reply.line });
   if (reply.type === 'stopped') end({ how: 'stopped', message: reply.message });

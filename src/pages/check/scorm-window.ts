@@ -3,7 +3,7 @@ import type { ScormApi } from '../../state/course/scorm.ts';
 /** Most windows that are looked at, upwards: a window may claim to be its own great-grandparent. */
 const MOST_WINDOWS = 500;
 
-interface Around {
+interface FoundApi {
   readonly api: ScormApi | null;
   /** Whether a window was out of reach: of another origin. */
   readonly blocked: boolean;
@@ -13,7 +13,7 @@ interface Around {
  * The object by which a course system speaks with a page, looked for as ADL says: in the windows
  * around this one, then in those around the one that opened it.
  */
-export function findApi(name: string, start: Window): Around {
+export function findApi(name: string, start: Window): FoundApi {
   const around = upwards(name, start.parent === start ? null : start.parent);
   if (around.api) return around;
   const opened = [opener(start), opener(start.top)].map((one) => upwards(name, one));
@@ -29,7 +29,7 @@ function opener(window: Window | null): Window | null {
   }
 }
 
-function upwards(name: string, start: Window | null): Around {
+function upwards(name: string, start: Window | null): FoundApi {
   let window = start;
   try {
     for (let i = 0; window && i < MOST_WINDOWS; i++) {

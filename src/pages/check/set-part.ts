@@ -35,11 +35,11 @@ import { download } from '../../ui/files.ts';
 import { printPage, printsAs } from '../handout/print.ts';
 import { MOST_SHEETS, type Sheet, seedsOf, sheetOf, sheetsHandout } from '../handout/sheets.ts';
 import { ownFile } from './own-file.ts';
-import type { PartContext, WidePart } from './part.ts';
+import type { PartContext, WidePart } from './page-parts.ts';
 import { activityOf, setLink } from './set-link.ts';
 import { type CheckSettings, seedProblem } from './settings.ts';
 
-/** What the form says of a set, its own or a numbered one. */
+/** The contents of the form for a set. */
 interface Form {
   readonly times: ReadonlyMap<string, number>;
   readonly shapes: readonly ShapeKind[];
@@ -62,7 +62,7 @@ function madeOf(id: string): Form {
   return { times, shapes, level: level === undefined ? '' : String(level), hints: !withoutHints };
 }
 
-/** The shapes' order decides nothing, but one text a set is easier to compare. */
+/** The id of the form's set, with shapes in the order of SHAPES: equal sets have equal ids. */
 function idOf({ times, shapes, level, hints }: Form): string {
   const items = [...times].filter(([, count]) => count > 0);
   const base = items.map(([id, count]) => (count === 1 ? id : `${id}*${count}`)).join(',');
@@ -75,8 +75,8 @@ function idOf({ times, shapes, level, hints }: Form): string {
   return setId(base, chosen);
 }
 
-/** What files are made of. */
-interface Made {
+/** The input of the functions that make files. */
+interface FileInput {
   readonly parts: () => readonly Part[];
   /** The set and its seed in words. */
   readonly about: string;
@@ -89,7 +89,7 @@ interface Made {
 interface FileKind extends CourseFile {
   readonly name: string;
   readonly type: string;
-  readonly content: (made: Made) => BlobPart | Promise<BlobPart>;
+  readonly content: (made: FileInput) => BlobPart | Promise<BlobPart>;
 }
 
 const FILES: readonly FileKind[] = [
@@ -142,16 +142,16 @@ const FILES: readonly FileKind[] = [
   ),
 ];
 
-/** Where a set is made; all of it is in the link. */
+/** The part 'Make a set'; the link holds the whole set. */
 export function createSetPart({ set, changed, say }: PartContext): WidePart {
   let refusals: Record<string, string> = {};
-  /** Whether there is nothing to refuse of what was typed into this box. */
+  /** Stores the refusal of a box, '' for none; returns whether its text is accepted. */
   const accepts = (box: string, problem: string): boolean => {
     refusals = { ...refusals, [box]: problem };
     return problem === '';
   };
   let packages: Packages = { pass: 50, own: true };
-  /** What is put together now; '' while nothing is. */
+  /** Words on the file that is being made; '' for none. */
   let saving = '';
   let sheets: Sheets = { from: 1, to: 1, paper: 'a4', key: true };
   let making: SetView['making'] = null;

@@ -14,7 +14,7 @@ import { findShape } from '../../math/shapes.ts';
 import type { Settings } from '../../state/state.ts';
 import type { Readable } from '../page.ts';
 
-/** The parts of the page; wide ones have it for themselves. */
+/** The parts of the page; a wide one takes the whole width. */
 export const PARTS = [
   { id: 'questions', title: 'Questions', wide: false },
   { id: 'own', title: 'Own numbers', wide: false },

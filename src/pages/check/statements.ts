@@ -2,8 +2,8 @@ import type { Progress } from '../../check/progress.ts';
 import { sessionStatements } from '../../state/course/session-statements.ts';
 import { accountOf } from '../../state/course/xapi.ts';
 import { download } from '../../ui/files.ts';
+import { BROWSER_ENVIRONMENT } from './browser-environment.ts';
 import { activityOf, setLink } from './set-link.ts';
-import { SURROUNDINGS } from './surroundings.ts';
 
 /** Saves the statements of a session; the page answers between two questions. */
 export async function saveStatements(
@@ -13,7 +13,7 @@ export async function saveStatements(
   const activity = activityOf(setLink(progress.set, seed));
   const scene = { actor: accountOf(new URL('./', activity).href, who), activity };
   const all: unknown[] = [];
-  for (const statements of sessionStatements(progress, scene, SURROUNDINGS)) {
+  for (const statements of sessionStatements(progress, scene, BROWSER_ENVIRONMENT)) {
     all.push(...statements);
     await new Promise((resolve) => setTimeout(resolve));
   }

@@ -9,8 +9,8 @@ import { PARTS, type Part } from '../../state/embed.ts';
 import type { AppState } from '../../state/state.ts';
 import { encode } from '../../state/url.ts';
 import type { Mounted } from '../../ui/mounted.ts';
-import { lateGraph } from '../explore/late-graph.ts';
-import { lateScene } from '../late-scene.ts';
+import { lazyGraph } from '../explore/lazy-graph.ts';
+import { lazyScene } from '../lazy-scene.ts';
 import './embed.css';
 
 /** The whole of Graze with the same ray, shape and look. */
@@ -37,12 +37,12 @@ export function mountEmbed(
     grid.append(element);
     return element;
   };
-  // In the order that they are read in.
+  // In reading order.
   const [caption, sceneArea, graphArea] = [area('caption'), area('scene'), area('graph')];
   const [panel, mark] = [area('panel'), area('mark')];
   // Their code is loaded when they are shown for the first time.
-  let scene: ReturnType<typeof lateScene> | null = null;
-  let graph: ReturnType<typeof lateGraph> | null = null;
+  let scene: ReturnType<typeof lazyScene> | null = null;
+  let graph: ReturnType<typeof lazyGraph> | null = null;
   return {
     render(model) {
       const parts: readonly Part[] = model.state.embed ?? PARTS;
@@ -55,11 +55,11 @@ export function mountEmbed(
       render(markOf(model.state, home), mark);
       if (!isFull(model)) return;
       if (has('scene')) {
-        scene ??= lateScene(sceneArea, dispatch);
+        scene ??= lazyScene(sceneArea, dispatch);
         scene.render(model.scene);
       }
       if (has('graph')) {
-        graph ??= lateGraph(graphArea, dispatch);
+        graph ??= lazyGraph(graphArea, dispatch);
         graph.render(model.graph);
       }
     },

@@ -6,7 +6,7 @@ import { decode, encode } from '../../state/url.ts';
 import { watchForms } from '../../ui/forms.ts';
 import { leaveKeys } from './host-keys.ts';
 
-/** What the frame needs of the page. */
+/** The page's side of the communication with the host. */
 interface Framed {
   readonly store: Store;
   /** What Explore shows; null on another page. */
@@ -21,9 +21,9 @@ interface Framed {
 const TYPED = 'input, textarea, select, [role=slider], [contenteditable]';
 
 /**
- * Graze in a frame: it answers its host, tells it keys and its height, and finds its state again
- * after the frame was loaded anew. Only the window around the frame is listened to, and the first
- * origin that it speaks from; what Graze says of the state goes to that origin alone.
+ * Graze in a frame: answers messages of its host, sends keys and the height, and restores the state
+ * after the frame was reloaded. Messages are accepted from the parent window alone, and from the
+ * first origin that it uses; states are sent to that origin alone.
  */
 export function watchHost({ store, model, score, content }: Framed): { drawn(): void } {
   const first = encode(store.get());
@@ -70,7 +70,7 @@ export function watchHost({ store, model, score, content }: Framed): { drawn(): 
   });
 
   const measure = (): void => {
-    // With the height that it would have alone: else it would never become smaller again.
+    // Measured without the frame's height, so that the content can also shrink.
     content.classList.add('natural');
     const px = Math.ceil(content.scrollHeight);
     content.classList.remove('natural');
@@ -82,7 +82,7 @@ export function watchHost({ store, model, score, content }: Framed): { drawn(): 
 
   const kept = keptFor(first);
   const before = kept.read();
-  // Not over what the person has already moved.
+  // Not if the person has changed the state before this code was loaded.
   if (before !== null && encode(store.get()) === first) {
     store.dispatch({ type: 'open', state: (now) => decode(before, now) });
   }
@@ -104,9 +104,9 @@ export function watchHost({ store, model, score, content }: Framed): { drawn(): 
 }
 
 /**
- * The latest state of a frame, by the link that it was opened with: in the frame's name, which
- * outlives its unloading, and in the session, which outlives the host's reloading. Written as it
- * changes: what a page that is left writes into its name does not always arrive.
+ * Storage of the latest state of a frame, by the link that it was opened with: window.name survives
+ * a reload of the frame, sessionStorage a reload of the host. Both are written at each change, as
+ * browsers may drop what a page writes while it is unloaded.
  */
 function keptFor(link: string): { read(): string | null; write(state: string): void } {
   const key = `graze.frame ${link}`;
@@ -126,7 +126,7 @@ function keptFor(link: string): { read(): string | null; write(state: string): v
       try {
         sessionStorage.setItem(key, state);
       } catch {
-        // Its name has to do.
+        // window.name alone keeps the state.
       }
     },
   };

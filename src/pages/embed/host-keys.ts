@@ -1,6 +1,6 @@
 /**
- * Leaves to the host what no control of Graze needs: Page Up and Page Down anywhere, arrows on the
- * scene itself, and whatever was pressed on nothing. Returns a function that stops it.
+ * Passes keys that no control of Graze needs to the host: Page Up and Page Down everywhere, arrows
+ * on the scene itself. Returns a function that removes the listener.
  */
 export function leaveKeys(root: EventTarget, pass: (event: KeyboardEvent) => void): () => void {
   const before = (event: Event): void => {

@@ -9,7 +9,7 @@ export const frameLine = (link: string): string =>
   `<iframe src="${attribute(link)}" title="Graze: a ray and a surface" width="100%" height="420" ` +
   `style="border:0" allow="fullscreen"></iframe>`;
 
-/** Stands there until the module is loaded, and where the host's policy does not let it. */
+/** Text in the element until the module is loaded, or for ever where a policy forbids it. */
 const NOT_LOADED = 'Graze shows a ray and a surface here, if the page may load its module.';
 
 /** The lines of HTML that show the state by the element. `site`: address of Graze's own page. */

@@ -4,7 +4,7 @@ import type { GraphModel } from '../../state/graph-model.ts';
 const STRETCH_MS = 5000;
 const REST_MS = 700;
 
-export interface Player {
+export interface BeadPlayer {
   readonly playing: boolean;
   /** Starts from the beginning, or stops. */
   toggle(graph: GraphModel): void;
@@ -15,7 +15,7 @@ export interface Player {
  * Moves the bead along the ray with a pause at each root; with reduced motion it jumps from root to
  * root. `move` gets each t; `changed` is called when playing begins or ends.
  */
-export function createPlayer(move: (t: number) => void, changed: () => void): Player {
+export function createBeadPlayer(move: (t: number) => void, changed: () => void): BeadPlayer {
   let frame = 0;
   const stop = (): void => {
     if (frame === 0) return;

@@ -54,15 +54,15 @@ const STORED = 'graze.challenges';
 const NO_MORE = 'no-more';
 
 /**
- * One line over the scene, from the first change on: what to try, and that it has been done. A
- * challenge that was met is kept on the device, and never asked again. What a drag passes on its
- * way is not met: `changed` asks for a look at where it ends.
+ * One line over the scene, from the first change on: the next challenge, and the one that was just
+ * met. Challenges that were met are stored on the device and not shown again. During a drag none is
+ * met; at its end `changed` asks for a drawing, which checks them.
  */
 export function createChallenges(
   changed: () => void,
   announce: Announce,
 ): (host: HTMLElement, model: ExploreModel) => null {
-  // It is loaded by the first change, which may be in the middle of a drag.
+  // The first change, which loads this code, may be part of a drag.
   let isDragging = true;
   const press = (): void => {
     isDragging = true;
@@ -75,7 +75,7 @@ export function createChallenges(
   for (const end of ['pointerup', 'pointercancel', 'keyup'])
     window.addEventListener(end, release, { capture: true, passive: true });
   const done = new Set((recall(STORED) ?? '').split(' ').filter(Boolean));
-  /** What was said last of one that has just been met. */
+  /** Words on the challenge that was met last. */
   let praise = '';
   let praised: Intersection | null = null;
   const keep = (id: string): void => {

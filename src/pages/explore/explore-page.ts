@@ -9,12 +9,12 @@ import type { Dispatch } from '../../state/actions.ts';
 import { type ExploreModel, isFull } from '../../state/derive.ts';
 import { INITIAL } from '../../state/state.ts';
 import type { Announce } from '../../ui/announcer.ts';
-import { late } from '../../ui/late.ts';
-import { lateScene, type Scene } from '../late-scene.ts';
-import { lateView } from '../late-view.ts';
+import { lazy } from '../../ui/lazy.ts';
+import { lazyScene, type Scene } from '../lazy-scene.ts';
+import { lazyView } from '../lazy-view.ts';
 import type { exampleQuestion as ExampleQuestion } from './example-question.ts';
-import { lateGraph } from './late-graph.ts';
-import type { Marked } from './predict-card.ts';
+import { lazyGraph } from './lazy-graph.ts';
+import type { MarkedModels } from './predict-card.ts';
 import { type SceneBarTools, sceneBar } from './scene-bar.ts';
 import type { SecondView } from './second-view.ts';
 import type { MountedWalk } from './walk.ts';
@@ -25,14 +25,14 @@ import './projector.css';
 const KEPT_MEASURES = 200;
 
 export interface ExploreTools extends SceneBarTools {
-  /** What the example asks; null before the gallery is there. */
+  /** Draws the example's question; null until the gallery is loaded. */
   readonly exampleQuestion: typeof ExampleQuestion | null;
   /** The line of N; null until it is loaded. */
   readonly normalLine: typeof NormalLine | null;
-  /** What is shown of a shape's ends; null until it is loaded. */
+  /** Controls and lines for a shape's ends; null until they are loaded. */
   readonly ends: typeof Ends | null;
   readonly secondView: SecondView | null;
-  /** The projector shows one parameter at a time, as a phone does. */
+  /** Theme projector: one parameter is shown at a time, as on a phone. */
   readonly large: boolean;
 }
 
@@ -62,23 +62,23 @@ export function mountExplore(
   const graphArea = section(host, 'graph-area');
   const panel = section(host, 'panel-area');
   const walkArea = section(host, 'walk-area');
-  let walk: ReturnType<typeof lateWalk> | null = null;
+  let walk: ReturnType<typeof lazyWalk> | null = null;
   const bar = section(stage, 'scene-bar');
-  const graph = lateGraph(section(graphArea, 'graph-host'), dispatch);
-  const scene = lateScene(section(stage, 'scene-host'), dispatch);
+  const graph = lazyGraph(section(graphArea, 'graph-host'), dispatch);
+  const scene = lazyScene(section(stage, 'scene-host'), dispatch);
   let untouched = true;
   /** Whether the page was opened with an empty address; null before it is first shown. */
   let visit: boolean | null = null;
-  const predict = lateCard(
+  const predict = lazyCard(
     () =>
-      late(() => import('./predict-card.ts')).then(({ createPredictCard }) =>
+      lazy(() => import('./predict-card.ts')).then(({ createPredictCard }) =>
         createPredictCard(dispatch),
       ),
     changed,
   );
-  const challenges = lateCard(
+  const challenges = lazyCard(
     () =>
-      late(() => import('./challenges.ts')).then(({ createChallenges }) =>
+      lazy(() => import('./challenges.ts')).then(({ createChallenges }) =>
         createChallenges(changed, announce),
       ),
     changed,
@@ -106,7 +106,7 @@ export function mountExplore(
       const marked = predict.render(model, model.state.revealed !== null);
       render(shapePicker(model, dispatch), picker);
       const walking = model.state.derive !== null;
-      if (walking) walk ??= lateWalk(walkArea, dispatch, changed, announce);
+      if (walking) walk ??= lazyWalk(walkArea, dispatch, changed, announce);
       host.classList.toggle('walking', walking);
       walk?.render(model);
       const card = algebra(model, dispatch, tools.normalLine, tools.ends?.endsLines);
@@ -138,11 +138,11 @@ export function mountExplore(
 }
 
 /** The walk beside the scene, whose code is loaded when it is first opened. */
-function lateWalk(host: HTMLElement, dispatch: Dispatch, changed: () => void, announce: Announce) {
+function lazyWalk(host: HTMLElement, dispatch: Dispatch, changed: () => void, announce: Announce) {
   const opener = document.activeElement;
-  return lateView<ExploreModel, typeof import('./walk.ts'), MountedWalk>(
+  return lazyView<ExploreModel, typeof import('./walk.ts'), MountedWalk>(
     host,
-    () => late(() => import('./walk.ts')),
+    () => lazy(() => import('./walk.ts')),
     ({ mountWalk }) => {
       // The walk also changes what scene and graph show.
       changed();
@@ -152,14 +152,14 @@ function lateWalk(host: HTMLElement, dispatch: Dispatch, changed: () => void, an
   );
 }
 
-/** Gives what scene and graph show beside it, if anything. */
-type Card = (host: HTMLElement, model: ExploreModel) => Marked;
+/** Draws into its element; returns models of scene and graph to show in place of the page's. */
+type Card = (host: HTMLElement, model: ExploreModel) => MarkedModels;
 
 /** A part of the page whose code is loaded when it is first wanted. */
-function lateCard(
+function lazyCard(
   create: () => Promise<Card>,
   changed: () => void,
-): { readonly host: HTMLElement; render(model: ExploreModel, wanted: boolean): Marked } {
+): { readonly host: HTMLElement; render(model: ExploreModel, wanted: boolean): MarkedModels } {
   const host = document.createElement('div');
   let card: Card | null = null;
   let asked = false;

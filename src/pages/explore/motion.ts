@@ -3,7 +3,7 @@ import type { FullModel } from '../../state/derive.ts';
 import { createExampleTransition } from './example-transition.ts';
 import { createSweep } from './sweep.ts';
 
-/** What Explore draws of a model: itself, or what is on its way, from an example or by play. */
+/** A function from the model to the model to draw: of a transition between examples, or a sweep. */
 export function createMotion(
   host: HTMLElement,
   changed: () => void,

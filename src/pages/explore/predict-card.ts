@@ -25,9 +25,9 @@ const aboutOf = ({ shape, ray, state: { between, caps } }: ExploreModel): string
   JSON.stringify([shape, ray, between, caps]);
 
 /** Scene and graph with the mark and its distance from the hit; null for those of the model. */
-export type Marked = Pick<ExploreModel, 'scene' | 'graph'> | null;
+export type MarkedModels = Pick<ExploreModel, 'scene' | 'graph'> | null;
 
-type PredictCard = (host: HTMLElement, model: ExploreModel) => Marked;
+type PredictCard = (host: HTMLElement, model: ExploreModel) => MarkedModels;
 
 /** Asks while the results are hidden; afterwards says how far off the answer was. */
 export function createPredictCard(dispatch: Dispatch): PredictCard {
@@ -118,7 +118,7 @@ function mark(
 }
 
 /** The mark as it was put, with the way from it to the first hit, until the bead is moved on. */
-function marked(guess: Guess, truth: Guess | null, model: ExploreModel): Marked {
+function marked(guess: Guess, truth: Guess | null, model: ExploreModel): MarkedModels {
   const { scene, graph, state, ray } = model;
   if (typeof guess !== 'number' || state.bead !== guess || !scene || !graph) return null;
   const off = typeof truth === 'number' ? Math.abs(guess - truth) : 0;

@@ -7,17 +7,17 @@ import './scene-bar.css';
 export interface SceneBarTools {
   readonly command: (id: string) => Command | undefined;
   readonly playing: boolean;
-  readonly hearing: boolean;
+  readonly soundOn: boolean;
   readonly second: boolean;
 }
 
 /** Words on what this is and what to do, before a first change; true of shapes that have a D. */
 const INVITATION = 'Where does a ray meet a surface? Drag E. Watch D change its sign.';
 
-/** Over the scene: which example this is, and what can be done with the ray that is shown. */
+/** The bar over the scene: the example, and commands for the ray. */
 export function sceneBar(
   { state, example, found }: ExploreModel,
-  { command, playing, hearing, second }: SceneBarTools,
+  { command, playing, soundOn, second }: SceneBarTools,
   untouched: boolean,
   challenges: HTMLElement,
 ): TemplateResult {
@@ -46,7 +46,7 @@ export function sceneBar(
     </div>
     <div class="ray-tools" role="group" aria-label="This ray">
       ${toggle(playing ? 'stop' : 'play', playing, run('play'), 'Play the bead along the ray (p)')}
-      ${toggle('hear', hearing, run('hear'), 'Hear f along the ray (m)')}
+      ${toggle('hear', soundOn, run('hear'), 'Hear f along the ray (m)')}
       ${toggle('ghost', state.ghost !== null, run('ghost'), 'Keep this ray as a ghost (g)')}
       ${toggle('two views', second, run('second'), 'A second view beside this one (v)')}
       ${action('reset', run('reset'), 'Reset the ray and this shape (Shift+R)')}

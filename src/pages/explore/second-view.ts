@@ -1,6 +1,6 @@
 import type { Action, Dispatch } from '../../state/actions.ts';
 import type { SceneModel } from '../../state/scene-model.ts';
-import { lateScene, type Scene } from '../late-scene.ts';
+import { lazyScene, type Scene } from '../lazy-scene.ts';
 import './second-view.css';
 
 export interface SecondView {
@@ -52,7 +52,7 @@ export function createSecondView(
         const host = document.createElement('div');
         host.className = 'scene-host second-view';
         stage.append(host);
-        shown = { host, scene: lateScene(host, moves) };
+        shown = { host, scene: lazyScene(host, moves) };
       }
       shown.scene.render({ ...model, view: model.view === 'top' ? 'front' : 'top' });
     },

@@ -4,12 +4,12 @@ import { display } from '../../text/format.ts';
 import type { Announce } from '../../ui/announcer.ts';
 import { volume } from '../../ui/volume.ts';
 
-/** Seconds before it begins, and in which a tone comes and goes, so that it does not crack. */
+/** Seconds before the sound begins, and of the fade of a tone, which would click without it. */
 const LEAD = 0.15;
 const FADE = 0.015;
-/** A click: so many seconds of this tone, Hz, dying away. */
+/** A click: a decaying tone. */
 const CLICK = { seconds: 0.03, hertz: 1800 } as const;
-/** Parts of the volume. */
+/** Amplitudes, as parts of the volume. */
 const LOUD = { reference: 0.3, pitch: 0.4, click: 0.9 } as const;
 
 export interface Sonification {
@@ -85,7 +85,7 @@ export function createSonification(
   };
 }
 
-/** Puts what is heard onto the clock of the context, from `start` on, in seconds. */
+/** Schedules tones and clicks on the context's clock, from `start` on, in seconds. */
 function schedule(
   context: BaseAudioContext,
   { seconds, tones, clicks }: Score,

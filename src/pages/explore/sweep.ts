@@ -23,16 +23,16 @@ import {
 import '../../ui/play-button.ts';
 import './sweep.css';
 
-/** Until the picture has made room for the whole way. */
+/** Duration of the change to the frame that contains the whole sweep. */
 const ROOM_MS = 300;
 
 interface Playing {
   readonly sweep: Sweep;
-  /** The state that it plays in; with another ray or shape nothing is left of it. */
+  /** The state in which it plays; another ray or shape ends the sweep. */
   base: AppState;
   readonly held: SweepFrame | null;
   readonly own: SweepFrame;
-  /** When it began; null once it stands still. */
+  /** performance.now() at its start; null when it has stopped. */
   began: number | null;
   /** The value that is drawn. */
   value: number;
@@ -40,10 +40,10 @@ interface Playing {
 }
 
 /**
- * A number of the ray or the shape that plays: there, through the places where the class changes,
- * and back, with the trail of the roots. The state, the link and undo stay as they are until
- * somebody stops it, by any input: then the number is what is drawn, as one step. Who asked for
- * less motion gets the whole trail at once, and no movement. `changed` asks for the next frame.
+ * Plays a number of the ray or the shape (state/sweep.ts) with the trail of the roots. The state,
+ * the link and undo stay as they are until an input stops the sweep: then the number gets the drawn
+ * value, as one step of undo. With reduced motion the whole trail is shown at once. `changed` asks
+ * for the next frame.
  */
 export function createSweep(
   host: HTMLElement,
@@ -53,7 +53,7 @@ export function createSweep(
 ): (model: FullModel) => FullModel {
   let playing: Playing | null = null;
   let latest: FullModel | null = null;
-  /** Asked for, and begun with the next frame: by then what stopped the last one has arrived. */
+  /** The sweep to start with the next frame, after the action that stopped the one before. */
   let wanted: string | null = null;
   let fixed: SweepFrame['stage'] | null = null;
   const look = { ...exploreDetails, createSceneAndGraph: () => createSceneAndGraph(() => fixed) };
@@ -79,7 +79,7 @@ export function createSweep(
       seen: still ? [low, high] : [home, home],
     };
   };
-  /** The number is what is drawn from now on. */
+  /** Stops; the number keeps the drawn value. */
   const stop = (): void => {
     if (!playing || playing.began === null || !latest) return;
     playing.began = null;
@@ -105,7 +105,7 @@ export function createSweep(
     changed();
   };
   const end = (event: Event): void => {
-    // Its own button stops it by the click that follows.
+    // A press on its own button is followed by a click, which stops it.
     const own = event.target instanceof Element ? event.target.closest('graze-play') : null;
     const isPress = !(event instanceof KeyboardEvent) || /^(Enter| )$/.test(event.key);
     if (!isPress || own?.getAttribute('label') !== playing?.sweep.label) stop();
@@ -131,7 +131,7 @@ export function createSweep(
     const { sweep, began, held, own } = playing;
     if (began !== null) {
       move(playing, valueAt(sweep, performance.now() - began), stepOfNumber(state, sweep.label));
-      // Its last frame too: the buttons, and the numbers as they are.
+      // Also after the last frame, which restores buttons and numbers.
       changed();
       tell();
     }
@@ -147,7 +147,7 @@ export function createSweep(
   };
 }
 
-/** `value` null: it is back. */
+/** Moves to a value; null at the end of the sweep. */
 function move(playing: Playing, value: number | null, step: number): void {
   const { sweep, seen } = playing;
   if (value === null) {
@@ -164,7 +164,7 @@ const pick = ({ from, to, low, high }: FullModel['graph']): SweepFrame['window']
   ...{ from, to, low, high },
 });
 
-/** The picture has made its room as long as the trail is there. */
+/** Share of the change to the frame of the sweep, 0 … 1. */
 function roomAt({ began }: Playing): number {
   const share = began === null ? 1 : Math.min((performance.now() - began) / ROOM_MS, 1);
   return share * share * (3 - 2 * share);

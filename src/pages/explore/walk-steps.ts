@@ -44,7 +44,7 @@ export type Step = WalkStep;
 /** Most digits of a number in a line without a result. */
 const MOST = 15;
 
-/** What is drawn of N beside the step that is about it, and the normals that can be added. */
+/** In the step about N: words on the figure in the scene, and buttons for further normals. */
 function normalChoice(
   { id }: Step,
   model: ExploreModel,
@@ -73,7 +73,7 @@ function normalChoice(
   </div>`;
 }
 
-/** Which normals are shown beside the course's, and what shows others. */
+/** Which normals are shown beside the course's, and a function to change that. */
 export interface NormalsShown {
   readonly choice: NormalChoice;
   choose(choice: NormalChoice): void;

@@ -6,16 +6,16 @@ import { termsOf, threadTo } from './walk-threads.ts';
  * numbers of the products that are in it.
  */
 
-const TRAVEL_MS = 300;
+const ANIMATION_MS = 300;
 
 /** The rectangle of each term of the present step. */
-type Places = readonly { readonly terms: readonly string[]; readonly at: DOMRect }[];
+type TermRectangles = readonly { readonly terms: readonly string[]; readonly at: DOMRect }[];
 
 const ofPresent = (host: Element): HTMLElement[] => [
   ...host.querySelectorAll<HTMLElement>('.walk-step.present [data-terms]'),
 ];
 
-export const placesOf = (host: Element): Places =>
+export const termRectangles = (host: Element): TermRectangles =>
   ofPresent(host).map((element) => ({
     terms: termsOf(element),
     at: element.getBoundingClientRect(),
@@ -25,7 +25,7 @@ export const placesOf = (host: Element): Places =>
  * Moves each term of the present step from where it, or the term it is part of, was before. `done`
  * is called when all have arrived.
  */
-export function travel(host: Element, before: Places, done: () => void): void {
+export function animateTerms(host: Element, before: TermRectangles, done: () => void): void {
   const ways: Promise<unknown>[] = [];
   if (matchMedia('(prefers-reduced-motion: reduce)').matches) return;
   for (const element of ofPresent(host)) {
@@ -39,9 +39,9 @@ export function travel(host: Element, before: Places, done: () => void): void {
     const way = along(threadTo(host, terms), dx, dy);
     const { finished } = element.animate(
       way.map(([x, y]) => ({ transform: `translate(${x}px, ${y}px)` })),
-      { duration: TRAVEL_MS, easing: 'ease-out' },
+      { duration: ANIMATION_MS, easing: 'ease-out' },
     );
-    // A term that is taken away on its way has no end of it.
+    // The promise of an element that is removed during its animation rejects.
     ways.push(finished.catch(() => null));
   }
   void Promise.all(ways).then(done);
@@ -76,7 +76,7 @@ function along(
   });
 }
 
-export const isTravelling = (host: Element): boolean =>
+export const isAnimating = (host: Element): boolean =>
   ofPresent(host).some((element) => element.getAnimations().length > 0);
 
 const LIT = 'term-lit';

@@ -2,9 +2,9 @@ import { nothing, render, svg } from 'lit';
 import { zoomOf } from '../../ui/zoom.ts';
 
 /*
- * Threads lead from each term of the expanded line to its row in the column of its power of t, and
- * from each square to the terms that it was expanded to. They keep to where no text is: lines that
- * they leave from or come to have to stand in one row.
+ * Threads are drawn lines from each term of the expanded line to its row in the column of its power
+ * of t, and from each square to the terms that it was expanded to. They cross no text, which needs
+ * lines of one row at both ends.
  */
 
 /** The numbers of the products that are in a term. */
@@ -34,7 +34,7 @@ const [LANE, HANDLE, CORNER] = [7, 46, 5];
 /** Room for lanes left of a column, and between a term and what is drawn under or over it. */
 const [GUTTER, CLEAR] = [20, 2];
 
-/** Least size of a line that is made smaller so that it stands in one row. */
+/** Least scale of a line that is made smaller to fit into one row. */
 const LEAST = 0.7;
 
 /** Makes lines that would break just so much smaller that they do not. */
@@ -116,7 +116,7 @@ function placed(board: Element, step: Element): readonly TermBox[] {
 
 const middle = ({ left, right }: Box): number => (left + right) / 2;
 
-/** Those with nothing of their own line below them, or above them. */
+/** The boxes with no other box of their line below them; `highest`: above them. */
 const lowest = (all: readonly TermBox[]): readonly TermBox[] =>
   all.filter(({ box }) => all.every((other) => other.box.top < box.bottom));
 const highest = (all: readonly TermBox[]): readonly TermBox[] =>

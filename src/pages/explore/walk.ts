@@ -13,12 +13,12 @@ import { display, displayTriple } from '../../text/format.ts';
 import type { Announce } from '../../ui/announcer.ts';
 import type { Mounted } from '../../ui/mounted.ts';
 import { type NormalsShown, type Step, stepOf } from './walk-steps.ts';
-import { isTravelling, lightTerms, placesOf, travel } from './walk-terms.ts';
+import { animateTerms, isAnimating, lightTerms, termRectangles } from './walk-terms.ts';
 import { drawThreads, fitLines } from './walk-threads.ts';
 import '../../ui/dialog.css';
 import './walk.css';
 
-/** The steps; fewer if A is exactly 0, unless results are hidden, as that would give it away. */
+/** The steps; fewer if A is exactly 0, unless results are hidden: their number would show it. */
 function stepsOf({ shape, exactly, shown }: ExploreModel): readonly Step[] {
   const { details } = exactly.found;
   return walkOf(shape, shown.hits && details.family === 'curved' && details.signs.A === 0);
@@ -76,7 +76,7 @@ export function mountWalk(
   lightTerms(host);
   const draw = (): void => {
     fitLines(host);
-    if (!isTravelling(host)) drawThreads(host);
+    if (!isAnimating(host)) drawThreads(host);
   };
   const resized = new ResizeObserver(draw);
   resized.observe(host);
@@ -117,7 +117,7 @@ export function mountWalk(
       last = steps.length;
       present = steps[at - 1]?.id ?? '';
       showGraph(isAboutF(model, present));
-      const before = drawn !== null && drawn !== at ? placesOf(host) : null;
+      const before = drawn !== null && drawn !== at ? termRectangles(host) : null;
       render(walk(model, steps, at, { go, close, normals: { choice, choose } }), host);
       draw();
       if (isNew) open();
@@ -126,7 +126,7 @@ export function mountWalk(
         const step = steps[at - 1];
         announce(`Step ${at} of ${steps.length}, ${step?.name}: ${step?.why}`, 'walk');
       }
-      if (before) travel(host, before, draw);
+      if (before) animateTerms(host, before, draw);
       drawn = at;
     },
     scene: (model) => sceneAt(model, present, choice),

@@ -9,7 +9,7 @@ import { typesetRelation } from '../../panels/typeset.ts';
 import { type ExploreModel, type FullModel, isFull } from '../../state/derive.ts';
 import { encode } from '../../state/url.ts';
 import { display } from '../../text/format.ts';
-import { drawSeen, graphOf, linkHead, sceneFrame } from './parts.ts';
+import { drawScene, graphOf, linkHead, sceneFrame } from './parts.ts';
 import { type Handout, printsAs } from './print.ts';
 
 const SCENE = { width: 680, height: 226 };
@@ -17,7 +17,7 @@ const GRAPH = { width: 680, height: 110 };
 
 const untouched = (): void => {};
 
-/** From now on what `shown` gives is printed, where it gives something. */
+/** Registers a handout of Explore, which is printed while `shown` returns a model. */
 export function printExplore(shown: () => ExploreModel | null): void {
   printsAs(() => {
     const model = shown();
@@ -33,7 +33,7 @@ function exploreHandout(model: FullModel): Handout {
       ${sceneFrame('explore')}${graphOf(model, 'explore', GRAPH)}
       ${given(model)}${algebra(model, untouched, normalLine, endsLines)}
     </article>`,
-    drawn: (root) => drawSeen(root, 'explore', model.scene, SCENE),
+    drawn: (root) => drawScene(root, 'explore', model.scene, SCENE),
   };
 }
 

@@ -7,10 +7,10 @@ import { exploreDetails } from '../../state/explore-details.ts';
 import type { AppState, Settings } from '../../state/state.ts';
 import { exploreValue } from '../lesson/prose-tools.ts';
 import { type ProseTools, proseView, type ShownValue } from '../lesson/prose-view.ts';
-import { drawSeen, graphOf, linkHead, sceneFrame } from './parts.ts';
+import { drawScene, graphOf, linkHead, sceneFrame } from './parts.ts';
 import type { Handout } from './print.ts';
 
-/** What a step on another page than Explore has shown: its live numbers, and the page itself. */
+/** A snapshot of a page other than Explore: the live numbers of a step, and the page's element. */
 export interface SeenPage {
   readonly values: ReadonlyMap<string, ShownValue>;
   readonly picture: Element;
@@ -39,7 +39,7 @@ export function lessonHandout({ lesson, link, seen, answered }: LessonPaper): Ha
     const model = inner.page === 'explore' ? derive(inner) : null;
     const after = model && answerModel(step, answered(step), derive);
     drawings.push((root) => {
-      if (model) drawSeen(root, name, sceneFor(step, model), SCENE);
+      if (model) drawScene(root, name, sceneFor(step, model), SCENE);
       else if (page) root.querySelector(`[data-page-of="${i + 1}"]`)?.append(page.picture);
     });
     return stepView(step, i + 1, toolsOf(model, page), toolsOf(after, page), {

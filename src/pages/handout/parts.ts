@@ -5,19 +5,19 @@ import '../../charts/graph.css';
 import '../../canvas/scene.css';
 import type { FullModel } from '../../state/derive.ts';
 import type { SceneModel } from '../../state/scene-model.ts';
-import { linkCode } from './link-code.ts';
+import { qrCode } from './qr-code.ts';
 
 /** In CSS pixels; handout.css has the same sizes of type. */
 const EM = 11;
 const LABEL = 19;
 const MARK = 0.84;
 
-/** Where drawSeen puts the drawing. */
+/** The element into which drawScene draws. */
 export const sceneFrame = (name: string): TemplateResult =>
   html`<div class="handout-scene" data-drawing=${name}></div>`;
 
 /** The scene as lines, into its frame. */
-export function drawSeen(
+export function drawScene(
   root: HTMLElement,
   name: string,
   scene: SceneModel,
@@ -27,7 +27,7 @@ export function drawSeen(
   if (host) drawStill(host, scene, { ...size, scale: MARK, label: LABEL });
 }
 
-/** The graph of f; where the results are hidden it would tell them. */
+/** The graph of f; nothing while results are hidden, which it would show. */
 export function graphOf(
   { graph }: FullModel,
   name: string,
@@ -44,6 +44,6 @@ export function linkHead(head: TemplateResult, hash: string): TemplateResult {
   const link = `${location.href.split(/[?#]/)[0]}${hash}`;
   return html`<header class="handout-head">
     <div>${head}<p class="handout-link"><a href=${link}>${link}</a></p></div>
-    ${linkCode(link)}
+    ${qrCode(link)}
   </header>`;
 }

@@ -10,7 +10,7 @@ export interface Handout {
 interface PaperPage {
   /** What the page puts on paper; null while it is not shown. */
   readonly handout: () => Handout | null;
-  /** Gets what is not there yet; false where somebody does not want to wait. */
+  /** Loads what is missing; resolves to false if the person cancels. */
   readonly prepare: () => Promise<boolean>;
 }
 
@@ -56,7 +56,7 @@ function watchPrinter(): void {
     render(nothing, paper);
     paper.remove();
   });
-  // The browser's own command prints at once what is there.
+  // The browser's own command would print without `prepare`.
   window.addEventListener(
     'keydown',
     (event) => {

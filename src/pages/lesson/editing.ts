@@ -4,8 +4,8 @@ import { readLesson } from '../../lesson/read.ts';
 import { withSteps } from '../../lesson/write.ts';
 import type { Dispatch } from '../../state/actions.ts';
 import { editView } from './edit-view.ts';
+import type { LessonStep } from './lesson-step.ts';
 import { ownSettings } from './own-lesson.ts';
-import type { LessonStep } from './shown-step.ts';
 
 /** Editing of a step. Editing a lesson that comes with Graze makes an own lesson of it. */
 export function createEditing(dispatch: Dispatch, changed: () => void) {

@@ -12,7 +12,7 @@ import type { Settings } from '../../state/state.ts';
 import { update } from '../../state/update.ts';
 import { decode } from '../../state/url.ts';
 import type { GuessTools } from './guess-view.ts';
-import { placeOf } from './shown-step.ts';
+import { lessonStepOf } from './lesson-step.ts';
 
 export interface HandIn {
   /** Dispatch for the page that the step shows. */
@@ -44,7 +44,7 @@ export function createHandIn(dispatch: Dispatch, changed: () => void): HandIn {
   };
   /** Settings that show the answer; a free number that was asked for gets its true value. */
   const answer = (more: Changes) => (now: Settings) => {
-    const step = placeOf(now)?.step;
+    const step = lessonStepOf(now)?.step;
     const free = step?.free;
     if (step?.guess?.type !== 'free' || !free) return more;
     const [freedom] = freedomOf(free, decode(step.link)) ?? [];
@@ -61,7 +61,7 @@ export function createHandIn(dispatch: Dispatch, changed: () => void): HandIn {
   const turned =
     (by: 1 | -1) =>
     (now: Settings): Changes => {
-      const place = placeOf(now);
+      const place = lessonStepOf(now);
       if (!place) return {};
       const { lesson, number, step } = place;
       if (by === 1 && (isAsked(step, now) || areHidden(step, now))) {
@@ -94,10 +94,10 @@ export function createHandIn(dispatch: Dispatch, changed: () => void): HandIn {
   };
 }
 
-/** Whether an action leads to another page and so leaves the lesson. */
+/** Whether an action opens another page, which leaves the lesson. */
 const leads = (action: Action): boolean => action.type === 'link' || action.type === 'page';
 
 function moved(now: Settings, action: Action): Changes {
-  const step = placeOf(now)?.step;
+  const step = lessonStepOf(now)?.step;
   return step ? changesOf(step, update(innerState(step, now), action), now) : {};
 }

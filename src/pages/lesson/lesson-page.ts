@@ -18,20 +18,20 @@ import { printPage, printsAs } from '../handout/print.ts';
 import type { MountPage } from '../page.ts';
 import { createTransition } from '../transition.ts';
 import { createEditing } from './editing.ts';
-import { mountExploreStage } from './explore-stage.ts';
+import { mountExplorePart } from './explore-part.ts';
 import { answerView, questionView } from './guess-view.ts';
 import { createHandIn } from './hand-in.ts';
+import { type LessonStep, lessonStepOf, readSettings } from './lesson-step.ts';
 import { listView } from './list-view.ts';
 import { createOtherPages } from './other-pages.ts';
 import { openedLesson, withCollected } from './own-lesson.ts';
 import { createPageSnapshots } from './page-snapshots.ts';
 import { mountPresenter } from './presenter.ts';
+import { type Projected, presenterIn } from './presenter-channel.ts';
 import { OPENED, projectedWindow } from './projected-window.ts';
 import { proseTools, valueOnPage } from './prose-tools.ts';
-import { type LessonStep, placeOf, readSettings } from './shown-step.ts';
 import { slidersOf } from './sliders.ts';
 import { type StepParts, stepView } from './step-view.ts';
-import { type Projected, presenterIn } from './two-windows.ts';
 import './lesson-page.css';
 import './lesson-text.css';
 
@@ -45,7 +45,7 @@ const firstStep = ({ id, file }: Settings): Settings => ({
 });
 
 /** A step as it was drawn last. */
-interface Shown {
+interface DrawnStep {
   readonly place: LessonStep;
   readonly inner: AppState;
   readonly model: FullModel | null;
@@ -75,14 +75,14 @@ export const mountLesson: MountPage = (host, context) => {
   let problem: ReturnType<typeof projected.open> = null;
   const present = (): void => {
     problem = projected.open();
-    // The problem is a status of its own.
+    // A problem is announced where it is shown.
     if (!problem) announce(OPENED, 'deed');
     changed();
   };
   const others = createOtherPages(other, context, handIn.inner);
-  let explore: ReturnType<typeof mountExploreStage> | null = null;
-  let shown: Shown | null = null;
-  /** Of which Explore's news were told last. */
+  let explore: ReturnType<typeof mountExplorePart> | null = null;
+  let shown: DrawnStep | null = null;
+  /** The model whose changes were announced last. */
   let heard: FullModel | null = null;
   let outer: AppState | null = null;
   let last: { readonly link: string; readonly state: AppState } | null = null;
@@ -164,7 +164,7 @@ export const mountLesson: MountPage = (host, context) => {
   };
 
   /** Announces a new step, or a change within a step. */
-  const tell = (before: Shown | null, now: Shown): void => {
+  const tell = (before: DrawnStep | null, now: DrawnStep): void => {
     const { lesson, number, step } = now.place;
     if (before?.place.lesson !== lesson || before.place.number !== number) {
       heard = null;
@@ -209,7 +209,7 @@ export const mountLesson: MountPage = (host, context) => {
     const sliders = slidersOf(step, target, settings, asked, handIn);
     if (model) {
       others.leave();
-      explore ??= mountExploreStage(stage, handIn.inner);
+      explore ??= mountExplorePart(stage, handIn.inner);
       const letters = lettersIn([...step.text, ...step.question, ...step.answer]);
       explore.render({ model, movable: sliders.movable, normals: letters.has('N') });
     } else others.render(inner, partShown(step.part, inner));
@@ -289,7 +289,7 @@ export const mountLesson: MountPage = (host, context) => {
     render(state) {
       outer = state;
       const settings = forPaper ?? state.settings.lesson;
-      const place = placeOf(settings);
+      const place = lessonStepOf(settings);
       if (place) showStep(settings, place);
       else showList(state);
       if (forPaper) return;

@@ -1,8 +1,8 @@
 import { html, render } from 'lit';
 import type { Dispatch } from '../../state/actions.ts';
 import type { AppState, PageId } from '../../state/state.ts';
-import { notLoaded } from '../../ui/late.ts';
-import { SINGLE_PAGES } from '../late-pages.ts';
+import { notLoaded } from '../../ui/lazy.ts';
+import { SINGLE_PAGES } from '../lazy-pages.ts';
 import type { PageContext, PageView } from '../page.ts';
 import './other-pages.css';
 

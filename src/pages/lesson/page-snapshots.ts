@@ -7,14 +7,14 @@ import { numbersOf, type SeenPage } from '../handout/lesson-handout.ts';
 import { UNFINISHED, valueOnPage } from './prose-tools.ts';
 import type { ShownValue } from './prose-view.ts';
 
-/** Nobody waits longer for one step: what it lacks then is missing on paper. */
+/** Longest wait in ms for one step; what it lacks then is missing on paper. */
 const PATIENCE_MS = 60_000;
-/** Of something that is worth paper, in CSS pixels: an icon is less. */
+/** Least height of a drawing that counts, in CSS pixels: icons are smaller. */
 const LEAST_HEIGHT = 60;
 
 /**
- * What steps on other pages than Explore have shown, for paper. `show` puts a step into `page` for
- * as long as that takes; null ends it.
+ * Snapshots of steps on pages other than Explore, for paper. `show` shows the step of some settings
+ * in `page`; null shows the state's own again.
  */
 export function createPageSnapshots(page: HTMLElement, show: (settings: Settings | null) => void) {
   const seen = new Map<string, SeenPage>();
@@ -90,13 +90,13 @@ const isDrawn = (page: HTMLElement): boolean =>
     (one) => one.checkVisibility() && one.getBoundingClientRect().height >= LEAST_HEIGHT,
   );
 
-/** Does nothing on paper; and an element with code of its own would begin anew there. */
+/** Controls, which do nothing on paper; a copied custom element would also run its code again. */
 const CONTROLS =
   'button:not(.value), input, select, textarea, progress, .split, .side, .picture-bar, ' +
   'graze-number, graze-slider, .param, ' +
   '.acc-order, #picture-method, .start-row, .pixel-problem, .acc-hint';
 
-/** What the step shows of the page, as it looks now: a canvas becomes an image. */
+/** A copy of the shown page, without controls and with images in place of canvases. */
 function pictureOf(page: HTMLElement): Element {
   const copy = page.cloneNode(true) as HTMLElement;
   copy.className = 'lesson-other';
@@ -110,7 +110,7 @@ function pictureOf(page: HTMLElement): Element {
     else copies[i]?.remove();
   }
   for (const one of copy.querySelectorAll(`[data-elsewhere], ${CONTROLS}`)) one.remove();
-  // What the page is hidden with would hide what refers to it.
+  // Ids get a prefix: a reference to an element of the hidden page would hide the copy.
   for (const one of copy.querySelectorAll('[id], [clip-path]')) {
     if (one.id !== '') one.id = `paper-${one.id}`;
     const clip = one.getAttribute('clip-path');

@@ -14,10 +14,10 @@ import { display } from '../../text/format.ts';
 import { subscript } from '../../text/scripts.ts';
 import { spokenName } from '../../text/spoken.ts';
 import { next } from '../commands.ts';
+import type { LessonStep } from './lesson-step.ts';
+import type { Projected } from './presenter-channel.ts';
 import { exploreValue } from './prose-tools.ts';
 import { type ProseTools, proseView } from './prose-view.ts';
-import type { LessonStep } from './shown-step.ts';
-import type { Projected } from './two-windows.ts';
 
 /** What the presenter's window shows of a step or of Explore. */
 export interface PresenterParts {

@@ -7,18 +7,18 @@ import { GALLERY } from '../../state/gallery/index.ts';
 import type { AppState } from '../../state/state.ts';
 import { encode } from '../../state/url.ts';
 import type { PageContext, PageView } from '../page.ts';
-import { exploreParts, type PresenterParts, stepParts } from './presenter-parts.ts';
-import { placeOf, readSettings } from './shown-step.ts';
+import { lessonStepOf, readSettings } from './lesson-step.ts';
 import {
   type Channel,
   CLICKER_KEYS,
   type ClickerKey,
   openChannel,
   type Projected,
-} from './two-windows.ts';
+} from './presenter-channel.ts';
+import { exploreParts, type PresenterParts, stepParts } from './presenter-parts.ts';
 import './presenter.css';
 
-/** So long an answer takes at most, from a window of the same browser. */
+/** Longest wait in ms for an answer from a window of the same browser. */
 const ANSWER_MS = 2000;
 /** The type size of the drawing's symbols, as presenter.css has it. */
 const LABEL = 15;
@@ -141,7 +141,7 @@ export function mountPresenter(host: HTMLElement, context: PageContext, id: stri
   return {
     render(state) {
       const settings = state.settings.lesson;
-      const place = placeOf(settings);
+      const place = lessonStepOf(settings);
       if (stage?.look) show(exploreParts(stage));
       else if (place) show(stepParts(settings, place, stage?.numbers ?? {}));
       else render(html`<p class="presenter-notice" data-say>${notice || LEFT}</p>`, frame);

@@ -1,10 +1,10 @@
 import type { AppState } from '../../state/state.ts';
 import { encode } from '../../state/url.ts';
 import type { Announce } from '../../ui/announcer.ts';
-import { type Channel, openChannel, type Projected } from './two-windows.ts';
+import { type Channel, openChannel, type Projected } from './presenter-channel.ts';
 
-/** Why there is no second window, with the address that opens it where a click would. */
-export interface Problem {
+/** Why there is no second window, with its address for a link that opens it. */
+export interface WindowProblem {
   readonly words: string;
   readonly address: string;
   readonly target: string;
@@ -25,13 +25,13 @@ function keep(id: string): void {
   try {
     sessionStorage.setItem(KEPT, id);
   } catch {
-    // Then they part when this one is reloaded.
+    // Without the id, a reload of this window ends the connection.
   }
 }
 
 let only: ReturnType<typeof createProjected> | null = null;
 
-/** This window as the projected one of two: it shows, and the presenter's window is told what. */
+/** This window as the projected one: it sends what it shows to the presenter's window. */
 export const projectedWindow = (): ReturnType<typeof createProjected> =>
   (only ??= createProjected());
 
@@ -39,7 +39,7 @@ function createProjected() {
   let id = kept();
   let channel: Channel | null = null;
   let shown: () => Projected | null = () => null;
-  /** What was told last, to tell nothing twice. */
+  /** The message that was sent last, so that none is sent twice. */
   let told = '';
 
   const tell = (stage = shown()): void => channel?.send({ type: 'shown', stage });
@@ -77,7 +77,7 @@ function createProjected() {
       tell(stage);
     },
     /** Opens the presenter's window, or brings it to the front; says why that could not be done. */
-    open(): Problem | null {
+    open(): WindowProblem | null {
       if (!connected()) {
         const words =
           'This browser opens no channel between two windows here (BroadcastChannel), so there ' +

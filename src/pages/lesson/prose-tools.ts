@@ -2,8 +2,8 @@ import type { nothing, TemplateResult } from 'lit';
 import { isQuantity, quantityOf } from '../../lesson/quantities.ts';
 import type { ExploreModel } from '../../state/derive.ts';
 import { display } from '../../text/format.ts';
+import type { LessonStep } from './lesson-step.ts';
 import type { ProseTools, ShownValue } from './prose-view.ts';
-import type { LessonStep } from './shown-step.ts';
 
 /** The largest width in digits of each live number in the present step. */
 let rooms: { key: string; lengths: Map<string, number> } = { key: '', lengths: new Map() };

@@ -1,6 +1,6 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import type { Lesson, Step } from '../../lesson/lesson.ts';
-import type { Problem } from './projected-window.ts';
+import type { WindowProblem } from './projected-window.ts';
 import { type ProseTools, proseView } from './prose-view.ts';
 
 export interface StepParts {
@@ -27,7 +27,7 @@ interface StepTools {
   /** Opens the presenter's window. */
   readonly present: () => void;
   /** Why that did not open; null where it did. */
-  readonly problem: Problem | null;
+  readonly problem: WindowProblem | null;
 }
 
 /** The text column of a step. */
@@ -65,7 +65,7 @@ export function stepView(parts: StepParts, tools: StepTools): TemplateResult {
     ${foot(lesson, number, tools.go)}`;
 }
 
-function problemWords(problem: Problem | null): TemplateResult | typeof nothing {
+function problemWords(problem: WindowProblem | null): TemplateResult | typeof nothing {
   if (!problem) return nothing;
   const { words, address, target } = problem;
   return address

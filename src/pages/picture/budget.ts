@@ -50,10 +50,10 @@ export interface BudgetState {
 
 /** Looks for the cheapest picture within a budget, one candidate after another. */
 interface BudgetSearch extends Background {
-  /** The whole picture of the one that is shown, and what it may differ by; null for none. */
-  of(request: TraceRequest | null, budget: Budget | null): void;
-  /** Whether it waits, since the picture does not stand. */
-  rests(waits: boolean): void;
+  /** Sets the request of the whole picture, and the budget; null for none. */
+  setPicture(request: TraceRequest | null, budget: Budget | null): void;
+  /** Pauses the search while the shown picture is not finished. */
+  setPaused(waits: boolean): void;
   stop(): void;
   again(): void;
   /** Null while nothing is looked for. */
@@ -184,14 +184,14 @@ export function createBudgetSearch(): BudgetSearch {
   };
 
   return {
-    of(next, within) {
+    setPicture(next, within) {
       const same = within && budget && BUDGET.texts(within).join() === BUDGET.texts(budget).join();
       if (next?.key === request?.key && (same || within === budget)) return;
       request = within && next;
       budget = within;
       begin();
     },
-    rests(now) {
+    setPaused(now) {
       waits = now;
     },
     stop() {
@@ -202,7 +202,7 @@ export function createBudgetSearch(): BudgetSearch {
     next() {
       if (!request || waits || !runs()) return null;
       const { scene, key } = request;
-      // The same until what it is of is known: it is asked for again and again.
+      // The key stays the same until the result arrives: `next` is called at each drawing.
       const own = `${key} budget ${candidates.length} ${made}`;
       if (wanted) return { key: own, scene, settings: wanted.settings };
       const candidate = timed[made % timed.length];
@@ -210,12 +210,12 @@ export function createBudgetSearch(): BudgetSearch {
       const { film: _, ...settings } = candidate.settings;
       return { key: own, scene, settings, atOnce: true };
     },
-    enough(_, { frame }) {
+    isEnough(_, { frame }) {
       if (!wanted || wanted.step === 'whole' || !frame.film) return false;
       differences?.look(frame.film, frame.block);
       return differences?.breaks() ?? false;
     },
-    took(_, progress) {
+    onResult(_, progress) {
       known = null;
       if (progress.state === 'failed') {
         stopped = true;

@@ -7,20 +7,20 @@ interface CameraMotion {
   /** Moves the camera; without `hold` it is at rest a moment after the last move. */
   move(edit: CameraEdit): void;
   hold(): void;
-  /** Lets go of it; what a cancelled hold did is taken back. */
+  /** Ends a hold; a cancelled one takes its moves back. */
   release(isCancelled: boolean): void;
   /** Whether the camera is moving. */
-  moves(): boolean;
+  isMoving(): boolean;
   /** The coarse pictures of this moment; `seen` is how far one is. */
-  moving(
+  coarsePictures(
     still: PictureSettings,
     seen: (moved: PictureSettings) => TraceProgress | null,
     now: number,
-  ): Moving;
+  ): CoarsePictures;
 }
 
 /** Coarse pictures: their scene has the moved camera and a text of its own. */
-interface Moving {
+interface CoarsePictures {
   /** The one to trace, which is the same until it is finished. */
   readonly next: PictureSettings;
   /** The last finished one; null before the first. */
@@ -44,7 +44,7 @@ const FIRST = 4;
 const MS_A_FRAME = 55;
 /** Part of it that tracing has at least, where drawing takes long. */
 const LEAST_TRACING = 0.3;
-/** The size stays while frames take no more than this part more or less: it would flicker. */
+/** Relative deviation of a frame's time up to which the size stays, so that it does not flicker. */
 const LOOSE = 0.2;
 /** Weight of the last frame among those before, since single ones are disturbed. */
 const LAST = 0.3;
@@ -131,14 +131,14 @@ export function createCameraMotion({ changed, rest }: CameraMotionTools): Camera
       }
       end();
     },
-    moves: () => edits.length > 0,
-    moving(still, seen, now) {
+    isMoving: () => edits.length > 0,
+    coarsePictures(still, seen, now) {
       const progress = next && seen(next);
       const state = progress?.state;
       if (next && (state === 'loading' || state === 'tracing')) return { next, shown };
       if (state === 'finished') shown = next;
       if (next && done === edits.length) {
-        // What comes next has waited for the hand: how long that took says nothing.
+        // The time until the next move is the person's, and says nothing of tracing.
         begun = Number.NaN;
         return { next, shown };
       }

@@ -8,7 +8,7 @@ interface Camera {
   readonly still: PictureSettings;
   /** The picture with more rays a pixel; null without. */
   readonly finer: Picture | null;
-  /** Whether a coarse picture would be worse than the one on the screen. */
+  /** Whether unfinished pictures are not shown, since the one on the screen is finer. */
   readonly waits: boolean;
 }
 

@@ -12,7 +12,7 @@ export interface CompareViewModel {
   /** Percent of the width that the left picture takes. */
   readonly split: number;
   readonly pixel: readonly [number, number] | null;
-  /** Is another one when the pixels of the same pictures have changed. */
+  /** Changes when pixels of the same pictures have changed. */
   readonly version: string;
 }
 

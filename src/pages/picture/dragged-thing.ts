@@ -11,12 +11,12 @@ import {
 import { cameraAxes } from '../../tracer/camera.ts';
 import type { Picture } from '../../tracer/compare.ts';
 
-/** A thing or a light that is held in the picture. */
+/** A thing or a light that is being dragged in the picture. */
 export interface DraggedThing {
-  /** The scene as it was taken. */
+  /** The scene at the start of the drag. */
   readonly scene: Scene;
   readonly id: string;
-  /** The point that is held, in the world, and its place in the picture. */
+  /** The dragged point at the start, in the world and in the picture. */
   readonly at: Vec3;
   readonly from: readonly [x: number, y: number];
   readonly frame: CameraFrame;
@@ -29,7 +29,7 @@ export const cameraFrameOf = ({ camera }: Scene, width: number, height: number):
   height,
 });
 
-/** What is seen at a place of the picture; null for the background. */
+/** The thing at a place of the picture; null for the background. */
 export function thingAt(scene: Scene, seen: Picture, x: number, y: number): DraggedThing | null {
   const { width, height } = seen;
   const pixel = Math.floor(y) * width + Math.floor(x);
@@ -45,7 +45,7 @@ export function thingAt(scene: Scene, seen: Picture, x: number, y: number): Drag
   return { scene, id: thing.id, at: [at(0), at(1), at(2)], from: [x, y], frame: cameraFrame };
 }
 
-/** The scene's edit that drags what is held to another place of the picture. */
+/** The edit of the scene that drags to another place of the picture. */
 export const dragTo = (
   { scene, id, at, from, frame }: DraggedThing,
   x: number,

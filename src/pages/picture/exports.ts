@@ -117,8 +117,7 @@ function looksLikeScene(text: string): boolean {
     if (typeof data !== 'object' || data === null) return false;
     return 'things' in data || ('graze' in data && data.graze === 'scene');
   } catch {
-    // A scene with a slip in it is still meant to be one: the place of the slip is said when it is
-    // read.
+    // JSON with an error may still be a scene: reading it then reports the place of the error.
     return /"things"|"graze"\s*:\s*"scene"/.test(text);
   }
 }

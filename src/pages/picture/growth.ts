@@ -32,10 +32,10 @@ export interface GrowthState {
  * warms up, then by turns for their times.
  */
 interface GrowthRun extends Background {
-  /** The picture of which it is asked; null for none. */
-  of(request: TraceRequest | null): void;
-  /** Whether it waits, since the picture does not stand. */
-  rests(waits: boolean): void;
+  /** Sets the picture whose growth is measured; null for none. */
+  setPicture(request: TraceRequest | null): void;
+  /** Pauses the measurement while the shown picture is not finished. */
+  setPaused(waits: boolean): void;
   stop(): void;
   again(): void;
   /** Null while nothing was asked for. */
@@ -93,12 +93,12 @@ export function createGrowth(): GrowthRun {
   };
 
   return {
-    of(next) {
+    setPicture(next) {
       if (next?.key === request?.key) return;
       request = next;
       begin();
     },
-    rests(now) {
+    setPaused(now) {
       waits = now;
     },
     stop() {
@@ -112,7 +112,7 @@ export function createGrowth(): GrowthRun {
       const { scene, settings } = picture;
       return { key: `${request.key} growth ${done}`, scene, settings, atOnce: true };
     },
-    took(_, { state, ledger, msSpent }) {
+    onResult(_, { state, ledger, msSpent }) {
       known = null;
       if (state === 'failed') {
         stopped = true;

@@ -17,7 +17,7 @@ import { MOST_BOUNCES } from '../../tracer/weight.ts';
 
 type Values = Readonly<Partial<Record<PictureKey, string>>>;
 
-/** What a person does on the page, as actions. */
+/** Functions that dispatch the actions of the page's controls. */
 export interface PictureActions {
   set(values: Values): void;
   /** Values that follow from those there are when the edit arrives. */

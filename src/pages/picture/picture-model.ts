@@ -31,7 +31,7 @@ export interface PictureModel {
   readonly uncounted: readonly TraceRequest[];
 }
 
-/** What is shown of a picture, and measured of it, on this visit. */
+/** The measure of the ledger's bars, and measured times; neither is part of the state. */
 export interface PictureVisit {
   readonly by: Measure;
   times(request: TraceRequest): Times | null;
@@ -52,7 +52,7 @@ export function pictureModel(
     picture.against?.change === 'whole' ||
     trustOf(requests.other ?? requests.main) > trustOf(requests.main);
   const times = visit.times(requests.main);
-  // Bars of the time of one picture stay no bars at all for the next, which has none yet.
+  // A picture without measured times has bars of questions.
   const by = visit.by === 'ms' && !times ? 'questions' : visit.by;
   const counts: Partial<Record<EffectId, number>> = {};
   const uncounted: TraceRequest[] = [];

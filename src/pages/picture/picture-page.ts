@@ -24,7 +24,7 @@ import { compareViewModel } from './compare-view-model.ts';
 import { type DraggedThing, dragTo, thingAt } from './dragged-thing.ts';
 import { openScene, pictureExports } from './exports.ts';
 import { createGrowth } from './growth.ts';
-import { lateRayTree } from './late-ray-tree.ts';
+import { lazyRayTree } from './lazy-ray-tree.ts';
 import { pictureActions } from './page-actions.ts';
 import { type PictureModel, type PictureVisit, pictureModel } from './picture-model.ts';
 import { createPixelMagnifier } from './pixel-magnifier.ts';
@@ -48,10 +48,7 @@ export async function loadPicture(): Promise<MountPage> {
   return (host, context) => mountPicture(host, context, spawn);
 }
 
-/**
- * The picture with what lies over it and below it on the left; what it cost, or its scene, on the
- * right.
- */
+/** The picture with its bars and panels on the left; ledger or scene editor on the right. */
 function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTracer): PageView {
   const { changed, dispatch, announce } = context;
   const parts = sections(host);
@@ -60,7 +57,7 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
   const refiner = createRefiner();
   const growth = createGrowth();
   const budgets = createBudgetSearch();
-  const hand = createCameraMotion({
+  const cameraMotion = createCameraMotion({
     changed,
     rest(edit) {
       landed = true;
@@ -96,10 +93,10 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
     camera: {
       move(edit) {
         hinted = true;
-        hand.move(edit);
+        cameraMotion.move(edit);
       },
-      hold: hand.hold,
-      release: hand.release,
+      hold: cameraMotion.hold,
+      release: cameraMotion.release,
     },
   });
   const pixelMap = createPixelMap(parts.map, {
@@ -113,7 +110,7 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
     announce,
     close: () => tools.set({ pixel: '' }),
   });
-  const space = lateRayTree(parts.space, {
+  const treeView = lazyRayTree(parts.space, {
     ...pixels,
     lights: {
       hold() {
@@ -211,10 +208,10 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
 
   /** How to move the camera, until somebody has; and how fine the picture has become. */
   const restLine = ({ picture: { against }, requests: { main } }: PictureModel) => {
-    const done = refiner.done(main);
+    const done = refiner.progress(main);
     return cameraLine({
       hint: !hinted && against === null && !sidePanel.isEditing(),
-      done: hand.moves() ? null : done,
+      done: cameraMotion.isMoving() ? null : done,
       most: MOST_SAMPLES,
       refines: refiner.next() !== null,
       stop() {
@@ -236,7 +233,7 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
         comparing: picture.against !== null,
       },
     );
-    space.render(pixels.space(now));
+    treeView.render(pixels.space(now));
     render(pixels.bar() ?? nothing, parts.play);
     showRow(parts.rays, pixels.wanted());
   };
@@ -290,7 +287,7 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
 
   /** The picture with as many rays a pixel as it has got; in a comparison the right one. */
   const shown = (): Picture | null =>
-    model && (refiner.frame(model.requests.main) ?? model.main?.frame ?? null);
+    model && (refiner.finer(model.requests.main) ?? model.main?.frame ?? null);
 
   const visit = (): PictureVisit => ({ by, times: repeats.times });
 
@@ -317,20 +314,20 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
       still = pictureSettings(state.settings.picture);
       const seenOf = (moved: PictureSettings) =>
         traceQueue.seen(traceRequests(moved, state.method).main);
-      const moves = hand.moves();
-      const moving = moves ? hand.moving(still, seenOf, performance.now()) : null;
+      const moves = cameraMotion.isMoving();
+      const moving = moves ? cameraMotion.coarsePictures(still, seenOf, performance.now()) : null;
       const picture = moving ? (moving.shown ?? moving.next) : still;
       const modelNow = (): PictureModel => pictureModel(state, traceQueue, visit(), picture);
       const { requests, uncounted, main } = modelNow();
       if (!repeats.isOf(requests.main)) repeats.stop();
       const stands = !moves && main?.state === 'finished';
-      refiner.of(stands && isRefined(picture) ? requests.main : null, main?.frame ?? null);
-      // While the camera moves they wait, and keep what they know until it is at rest.
-      growth.rests(!stands);
-      budgets.rests(!stands);
+      refiner.setPicture(stands && isRefined(picture) ? requests.main : null, main?.frame ?? null);
+      // While the camera moves both are paused and keep their results.
+      growth.setPaused(!stands);
+      budgets.setPaused(!stands);
       if (!moves) {
-        growth.of(picture.grows ? requests.main : null);
-        budgets.of(wholeRequest(picture), picture.budget);
+        growth.setPicture(picture.grows ? requests.main : null);
+        budgets.setPicture(wholeRequest(picture), picture.budget);
       }
       traceQueue.want(
         moving
@@ -350,7 +347,7 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
       compareView.render(
         compareViewModel(model, {
           still,
-          finer: refiner.frame(requests.main),
+          finer: refiner.finer(requests.main),
           waits: moves || landed,
         }),
       );
@@ -367,7 +364,7 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
       handles.render(sidePanel.isEditing() && !moves ? still : null, sidePanel.edited());
       host.classList.toggle('editing', sidePanel.isEditing());
       host.dataset.trace = moves ? 'moving' : (model.main?.state ?? 'waiting');
-      const refined = refiner.done(requests.main);
+      const refined = refiner.progress(requests.main);
       host.dataset.rest = refined === null || !refiner.next() ? 'still' : 'refining';
       host.dataset.prices = growth.state()?.runs || budgets.state()?.runs ? 'runs' : 'rests';
       if (!moves) tell(model);

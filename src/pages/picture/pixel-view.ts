@@ -21,7 +21,7 @@ interface PixelView {
   panel(model: PictureModel): TemplateResult;
   /** The same rays for the view in space; null while there are none. */
   space(model: PictureModel): TreeModel | null;
-  /** What plays them; null while there are none. */
+  /** The bar that plays the rays; null while there are none. */
   bar(): TemplateResult | null;
   /** Chooses the ray with this path, or none; shows it in the list if several share a row. */
   pick(path: string | null): void;
@@ -62,7 +62,7 @@ export function createPixelView(recorder: RayRecorder, actions: PixelActions): P
   let chosen: string | null = null;
   let opened: ReadonlySet<string> = new Set();
   let shown = '';
-  /** The rows that are shown; those that play are without the ones that others stand for. */
+  /** The shown rows. Play leaves out rows of opened groups, whose rays have own rows. */
   let rows: readonly TreeRow[] = [];
   let wanted: string | null = null;
   const play = createRayPlay(() => {
@@ -87,14 +87,14 @@ export function createPixelView(recorder: RayRecorder, actions: PixelActions): P
     return trees.get(key) ?? (asked < MOST_ASKED ? ask(request, [x, y]) : 'asked');
   };
 
-  /** What was shown of this pixel last, until there is what is asked for. */
-  let stands: { readonly pixel: string; readonly model: PictureModel } | null = null;
+  /** The model that was shown last for this pixel, which stays until the new rays arrive. */
+  let lastSettled: { readonly pixel: string; readonly model: PictureModel } | null = null;
   const settled = (model: PictureModel): PictureModel => {
     const { pixel } = model.picture;
     if (!pixel) return model;
     const known = treeOf(model.requests.main, pixel);
-    if (known === 'asked' && stands?.pixel === pixel.join()) return stands.model;
-    stands = known === 'asked' ? null : { pixel: pixel.join(), model };
+    if (known === 'asked' && lastSettled?.pixel === pixel.join()) return lastSettled.model;
+    lastSettled = known === 'asked' ? null : { pixel: pixel.join(), model };
     return model;
   };
 
@@ -167,7 +167,7 @@ export function createPixelView(recorder: RayRecorder, actions: PixelActions): P
 
   const hold = (next: readonly TreeRow[]): void => {
     rows = next;
-    play.of(next.filter(({ group, path }) => !(group && opened.has(path))));
+    play.setRows(next.filter(({ group, path }) => !(group && opened.has(path))));
   };
 
   const pick = (path: string | null): void => {

@@ -5,26 +5,26 @@ const EACH_MS = 1200;
 const ALL_MS = 45_000;
 const LEAST_MS = 250;
 
-/** The rays of a pixel, one after another; those that come later are not there yet. */
+/** Plays the rays of a pixel one after another; later rays are not drawn yet. */
 interface RayPlay {
   /** Path of the row that is played; null if all rays are there. */
   at(): string | null;
   runs(): boolean;
   /** ms until the next one. */
   pace(): number;
-  /** Plays on from where it is, or from the first; or stands still. */
+  /** Starts from the present ray, or from the first; or stops. */
   toggle(): void;
-  /** One ray on, or back; where it does not play from the first, or from the last. */
+  /** One ray on or back; if none is present, the first or the last. */
   step(by: 1 | -1): void;
-  /** Stands still at this row. */
+  /** Stops at this row. */
   seek(path: string): void;
-  /** All rays are there. */
+  /** Ends play: all rays are drawn. */
   end(): void;
   /** Takes over the rows that are shown; with those of another tree it ends. */
-  of(rows: readonly TreeRow[] | null): void;
+  setRows(rows: readonly TreeRow[] | null): void;
 }
 
-/** Calls back after so many ms, unless what it returns is called before. */
+/** A timer: calls `call` after `ms`, unless the returned function is called before. */
 type Wait = (call: () => void, ms: number) => () => void;
 
 const timed: Wait = (call, ms) => {
@@ -85,7 +85,7 @@ export function createRayPlay(moved: () => void, later: Wait = timed): RayPlay {
       halt();
       path = null;
     },
-    of(next) {
+    setRows(next) {
       const isSame = next !== null && next[0]?.node === rows[0]?.node;
       rows = next ?? [];
       if (!isSame || index() < 0) this.end();

@@ -8,12 +8,12 @@ import type { TraceRequest } from './trace-request.ts';
 /** Rays a pixel at rest, on a square grid. */
 export const MOST_SAMPLES = 16;
 
-/** The grid's points in such an order that those that have been traced are spread out (Bayer). */
+/** Order of the grid's points in which the first n are always spread out (Bayer matrix). */
 const ORDER = [0, 10, 2, 8, 5, 15, 7, 13, 1, 11, 3, 9, 4, 14, 6, 12] as const;
 
 /**
- * Where stairs may be seen: pixels that differ from one beside them by more levels than these, the
- * highest ones first. With the ray that they stand with they have so many before others get any.
+ * Differences of neighbouring pixels, in levels of 255, that count as edges, where steps may be
+ * seen. Such pixels get EDGE_RAYS rays, with the ray of the first picture, before others get any.
  */
 export const EDGES = [32, 8] as const;
 export const EDGE_RAYS = 4;
@@ -30,18 +30,18 @@ interface Pass {
   readonly beyond: number;
 }
 
-/** The whole picture is shown anew after so many: each takes time to be written as bytes. */
+/** Numbers of rays after which the whole picture is drawn: each drawing takes time. */
 const SHOWN_AT = [2, 4, 8, 16] as const;
 
-/** While nothing else is to be traced the picture gets more rays a pixel, edges first. */
+/** Traces more rays a pixel while no other picture is requested, edges first. */
 interface Refiner extends Background {
-  /** The picture that stands, which is refined; null for none. */
-  of(request: TraceRequest | null, stands: Picture | null): void;
+  /** Sets the finished picture to refine; null for none. */
+  setPicture(request: TraceRequest | null, stands: Picture | null): void;
   stop(): void;
   /** The finer picture; null before there is one. */
-  frame(request: TraceRequest): Picture | null;
+  finer(request: TraceRequest): Picture | null;
   /** How far it is; null if the picture is not refined. */
-  done(request: TraceRequest): Refined | null;
+  progress(request: TraceRequest): Refined | null;
 }
 
 /** Rays of the grid that have been traced. */
@@ -105,7 +105,7 @@ export function createRefiner(): Refiner {
   };
 
   return {
-    of(now, stands) {
+    setPicture(now, stands) {
       if (now?.key === request?.key) return;
       request = stands && now;
       coarse = stands;
@@ -131,7 +131,7 @@ export function createRefiner(): Refiner {
       const settings = { ...request.settings, samples: MOST_SAMPLES, part };
       return { ...request, key: `${request.key} pass ${at}`, settings, atOnce: true };
     },
-    took(_, progress) {
+    onResult(_, progress) {
       const { film } = progress.frame;
       const pass = PASSES[at];
       if (progress.state === 'failed' || !film || !part || !pass || !coarse || !request) {
@@ -156,8 +156,8 @@ export function createRefiner(): Refiner {
         shown = develop(coarse, request.settings.samples);
       }
     },
-    frame: (of) => (is(of) ? shown : null),
-    done: (of) => (is(of) ? refined : null),
+    finer: (of) => (is(of) ? shown : null),
+    progress: (of) => (is(of) ? refined : null),
   };
 }
 
@@ -175,9 +175,9 @@ export const oneAfterAnother = (...all: readonly Background[]): Background => {
       }
       return null;
     },
-    enough: (request, soFar) => last?.enough?.(request, soFar) ?? false,
-    took(request, result) {
-      last?.took(request, result);
+    isEnough: (request, soFar) => last?.isEnough?.(request, soFar) ?? false,
+    onResult(request, result) {
+      last?.onResult(request, result);
     },
   };
 };

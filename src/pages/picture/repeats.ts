@@ -6,7 +6,7 @@ import type { TraceRequest } from './trace-request.ts';
 /** Repeats that count, and one before them that only warms up. */
 const REPEATS = 7;
 
-/** Pictures whose cost is measured, in turn: what disturbs the machine disturbs all of them. */
+/** Measures the times of pictures in turn, so that other load on the machine affects all alike. */
 interface Repeats extends Background {
   /** Measures these pictures anew. */
   start(requests: readonly TraceRequest[]): void;
@@ -55,7 +55,7 @@ export function createRepeats(): Repeats {
       if (!request) return null;
       return { ...request, key: `${request.key} ${done}` };
     },
-    took(_, { state, ledger, msSpent, workers }: TraceProgress) {
+    onResult(_, { state, ledger, msSpent, workers }: TraceProgress) {
       const request = at();
       if (!request) return;
       if (state === 'failed') return stop();

@@ -66,7 +66,7 @@ export function createSceneHandles(host: HTMLElement, tools: HandleTools): Scene
       if (!held || !picture) return;
       const [x, y] = inPicture(now);
       const pressed = inPicture(from);
-      // What is seen moves with the pointer; what is outside of the picture as far as that does.
+      // A point in the picture follows the pointer; one outside moves by the pointer's distance.
       const spot = projectedPoint(held.frame, held.at);
       const start = isInside(spot, held.frame) ? ([spot.x, spot.y] as const) : pressed;
       const [dx, dy] = [x - pressed[0], y - pressed[1]];
@@ -136,7 +136,7 @@ const CROSS = html`<svg viewBox="0 0 24 24" width="22" height="22" aria-hidden="
   d="M12 3v18M3 12h18M12 3l-2.500 2.500M12 3l2.500 2.500M12 21l-2.500-2.500M12 21l2.500-2.500M3
     12l2.500-2.500M3 12l2.500 2.500M21 12l-2.500-2.500M21 12l-2.500 2.500" /></svg>`;
 
-/** The point by which it is held: a lamp's place, far along a sun's direction, a thing's anchor. */
+/** The point of its handle: a lamp's place, a point in a sun's direction, a thing's anchor. */
 function placeOf(scene: Scene, id: string): Vec3 | null {
   const light = scene.lights.find((one) => one.id === id);
   const thing = scene.things.find((one) => one.id === id);

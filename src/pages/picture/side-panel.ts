@@ -51,10 +51,7 @@ interface SidePanelTools {
 
 type Tab = 'ledger' | 'scene';
 
-/**
- * What the picture cost, or its scene to be edited. Which of them is shown is nothing that undo
- * should bring back.
- */
+/** The ledger, or the scene's editor. The chosen tab is not part of the state, nor of undo. */
 export function createSidePanel(
   host: HTMLElement,
   { dispatch, changed, announce, tools, asks }: SidePanelTools,

@@ -35,10 +35,10 @@ export interface TraceQueue {
 export interface Background {
   /** The next one, under a key of its own; null for none. */
   next(): TraceRequest | null;
-  /** Whether it need not be finished: `took` has it as far as it is. */
-  enough?(request: TraceRequest, soFar: TraceProgress): boolean;
+  /** Whether tracing can end early; `onResult` then gets the unfinished picture. */
+  isEnough?(request: TraceRequest, soFar: TraceProgress): boolean;
   /** Takes a finished one, or one that failed. */
-  took(request: TraceRequest, result: TraceProgress): void;
+  onResult(request: TraceRequest, result: TraceProgress): void;
 }
 
 interface TraceQueueTools {
@@ -56,7 +56,7 @@ export const coresOf = ({
   readonly hardwareConcurrency?: number;
 }): number => Math.max(1, Math.min(hardwareConcurrency || 1, MOST_WORKERS));
 
-/** ms from one look at a picture that is traced to the next: drawing takes time from tracing. */
+/** Least ms between two drawings of a picture that is traced: drawing takes time from tracing. */
 const MS_A_LOOK = 100;
 
 const isUnderWay = ({ state }: TraceProgress): boolean =>
@@ -116,14 +116,14 @@ export function createTraceQueue({
         progress(state) {
           if (over) return;
           if (isUnderWay(state)) {
-            if (state.done === 0 || !background?.enough?.(request, state)) return;
+            if (state.done === 0 || !background?.isEnough?.(request, state)) return;
             over = true;
             job.cancel();
           }
           over = true;
           if (state.state === 'cancelled') return;
           if (running?.request === request) running = null;
-          background?.took(request, state);
+          background?.onResult(request, state);
           changed();
         },
       },

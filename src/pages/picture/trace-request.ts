@@ -32,7 +32,7 @@ export function traceRequests(picture: PictureSettings, method: string): TraceRe
   const { scene, sceneText, width, height, samples, lightSamples, start, forced } = picture;
   const settings: TraceSettings = {
     ...{ width, height, samples, lightSamples, method, start, forced },
-    // Left out it is what it was before it could be chosen: keys of pictures stay the same.
+    // Left out at its largest value, so that keys of pictures stay the same.
     ...(picture.bounces < MOST_BOUNCES ? { bounces: picture.bounces } : {}),
   };
   const request = (changed: TraceSettings): TraceRequest => ({
@@ -59,7 +59,7 @@ export function traceRequests(picture: PictureSettings, method: string): TraceRe
   };
 }
 
-/** What forcing changes in this scene: 'on' for what is needed anyway is the same picture. */
+/** The effective forcing: 'on' for an effect that is needed anyway gives the same picture. */
 function differing(scene: Scene, { forced }: TraceSettings): string {
   const plan = planEffects(scene, forced);
   const order = EFFECTS.map(({ id }) => plan.find((effect) => effect.id === id)?.forced ?? 'no');

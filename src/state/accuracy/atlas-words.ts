@@ -4,7 +4,7 @@ import { MARKS, type Mark, TENTHS, VERDICTS } from '../../lab/atlas/marks.ts';
 import { type Probe, RIM, type Torn } from '../../lab/atlas/probe.ts';
 import { type MapRequest, raysOf, scalesOf } from '../../lab/atlas/request.ts';
 import type { MapSummary } from '../../lab/atlas/summary.ts';
-import { SIDE, type Step } from '../../lab/atlas/window.ts';
+import { type PixelStep, SIDE } from '../../lab/atlas/window.ts';
 import { display, displayAll } from '../../text/format.ts';
 import { SAYS } from './change-words.ts';
 
@@ -128,7 +128,7 @@ export const confirmedWords = (probe: Probe | null): string =>
       `${probe.agreed} of ${probe.asked} pixels drawn from a seed.`
     : '';
 
-const stepWords = (step: Step): string => {
+const stepWords = (step: PixelStep): string => {
   if (step.by === 'doubles') {
     return step.count === 1 ? '1 double' : `${display(step.count, 3)} doubles`;
   }

@@ -1,7 +1,7 @@
 import { scaleLinear } from 'd3-scale';
 import * as fc from 'fast-check';
 import { expect, test } from 'vitest';
-import { niceTicks } from '../../../src/charts/steps.ts';
+import { niceTicks } from '../../../src/charts/axis-steps.ts';
 
 test('ticks are multiples of a nice step, and those of d3', () => {
   const size = fc.double({ min: -12, max: 12, noNaN: true }).map((power) => 10 ** power);

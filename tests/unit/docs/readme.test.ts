@@ -4,7 +4,7 @@ import { describe, expect, test } from 'vitest';
 import { FAMILIES } from '../../../src/math/families.ts';
 import { METHODS } from '../../../src/math/index.ts';
 import { readSettings } from '../../../src/pages/check/settings.ts';
-import { readSettings as readLessonSettings } from '../../../src/pages/lesson/shown-step.ts';
+import { readSettings as readLessonSettings } from '../../../src/pages/lesson/lesson-step.ts';
 import { readAccuracy } from '../../../src/state/accuracy/settings.ts';
 import { readPicture } from '../../../src/state/picture/settings.ts';
 import { PAGES, type PageId, type Settings } from '../../../src/state/state.ts';

@@ -3,7 +3,7 @@ import { METHODS, SHAPES } from '../../../src/math/index.ts';
 import { KEYS as CHECK_KEYS, PARTS, readSettings } from '../../../src/pages/check/settings.ts';
 import { commandTitle } from '../../../src/pages/command-titles.ts';
 import { commandsOf } from '../../../src/pages/commands.ts';
-import { shown } from '../../../src/pages/help.ts';
+import { keyWords } from '../../../src/pages/help.ts';
 import { SIMPLIFICATIONS } from '../../../src/scene/simplifications.ts';
 import {
   ACCURACY_KEYS,
@@ -45,7 +45,7 @@ describe('the keys in docs/USING.md', () => {
     const rows = commands
       .filter(({ id }) => !newer.includes(commandTitle(id) ?? ''))
       .map(({ keys, pages, id }) => [
-        keys.map((key) => `\`${shown(key)}\``).join(' or '),
+        keys.map((key) => `\`${keyWords(key)}\``).join(' or '),
         pages ? pages.map(titleOf).join(', ') : 'every page',
         commandTitle(id),
       ]);

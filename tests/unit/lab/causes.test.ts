@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { absorbedBy, type Cause, inputsOf } from '../../../src/lab/causes.ts';
 import { whyLost } from '../../../src/lab/explain.ts';
-import { lossesOf, type Step } from '../../../src/lab/losses.ts';
+import { lossesOf, type StepLoss } from '../../../src/lab/losses.ts';
 import type { Operation } from '../../../src/lab/trace.ts';
 import * as surd from '../../../src/math/exact/surd.ts';
 import { FAMILIES } from '../../../src/math/families.ts';
@@ -31,7 +31,7 @@ function unrounded({ expr, inputs }: Operation): Surd | null {
 const chain = (step: Operation): Operation[] => [step, ...absorbedBy(step).flatMap(chain)];
 
 /** The definitions of causes.ts, each worked out from the step's exact numbers anew. */
-function holds(step: Step, cause: Cause, format: string): boolean {
+function holds(step: StepLoss, cause: Cause, format: string): boolean {
   const least = fromNumber(format === 'float32' ? 2 ** -126 : 2 ** -1022);
   const most = fromNumber(format === 'float32' ? (2 - 2 ** -23) * 2 ** 127 : Number.MAX_VALUE);
   const links = cause.kind in { overflow: 1, underflow: 1 } ? chain(step) : [];

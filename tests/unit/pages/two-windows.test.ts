@@ -7,7 +7,7 @@ import {
   type Projected,
   presenterIn,
   readMessage,
-} from '../../../src/pages/lesson/two-windows.ts';
+} from '../../../src/pages/lesson/presenter-channel.ts';
 
 const LOOK = { revealed: 2, told: false, example: 'cone-tangent' };
 const NUMBERS = { 'textbook.t1': { value: 3.75, text: '3.75000' } };

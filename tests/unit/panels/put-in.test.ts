@@ -21,7 +21,7 @@ import { surfaceSteps } from '../../../src/state/picture/surface-steps.ts';
 import { conditionDigits, putIn, resultsOf } from '../../../src/state/put-in.ts';
 import { type AppState, INITIAL } from '../../../src/state/state.ts';
 import { decode } from '../../../src/state/url.ts';
-import { rootTexts } from '../../../src/text/apart.ts';
+import { rootTexts } from '../../../src/text/distinguish.ts';
 import { display } from '../../../src/text/format.ts';
 import { anyPicture } from '../state/random-state.ts';
 import { isAtMost, readLine, rounds } from './rational.ts';

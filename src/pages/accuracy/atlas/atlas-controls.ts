@@ -72,7 +72,7 @@ const measuredIn = ({ zoom }: AccuracySettings, by: Measure): Partial<AccuracySe
   zoom: clampZoom(by, zoom),
 });
 
-/** Who draws the one map and the other, and what is asked. */
+/** Controls for the method of each map, and for the question that the maps answer. */
 function whose({ maps }: Atlas, settings: AccuracySettings, set: Actions['set']): TemplateResult {
   const ids = maps.map(({ isOwn, request }) => (isOwn ? 'own' : request.method));
   const starts = settings.start === '' ? [] : settings.start.split(',');

@@ -20,7 +20,7 @@ import { displayAll, shortest } from '../../../text/format.ts';
 import type { ExportItem } from '../../export-dialog.ts';
 
 /** A map as it is shown. */
-export interface Shown {
+export interface ShownMap {
   readonly map: AtlasMap;
   /** Null while the window's first pixels are on their way. */
   readonly frame: MapFrame | null;
@@ -31,7 +31,7 @@ export interface Shown {
 
 /** The exports of the maps: pictures, numbers, and rays of the rectangle as test cases. */
 export function atlasExports(
-  shown: () => readonly Shown[],
+  shown: () => readonly ShownMap[],
   corners: () => Corners | null,
 ): ExportItem[] {
   const cases = (write: (cases: ReturnType<typeof casesOf>) => string) => (): string => {
@@ -67,8 +67,8 @@ export function atlasExports(
   ];
 }
 
-/** A line a pixel: both numbers, and what each map says. */
-function mapCsv(shown: readonly Shown[]): string {
+/** One line per pixel: its two numbers, and the result of each map. */
+function mapCsv(shown: readonly ShownMap[]): string {
   const [first] = shown;
   if (!first) return '';
   const [x, y] = scalesOf(first.map.request);
@@ -100,10 +100,10 @@ function cells(frame: MapFrame | null, pixel: number, isLeaving: boolean): (stri
   ];
 }
 
-/** A letter a pixel, a text a row, from the top. */
+/** One letter per mark, in the order of MARKS; a row of pixels is a text, rows from the top. */
 const LETTERS = '.mic?-';
 
-function json(shown: readonly Shown[]): string {
+function json(shown: readonly ShownMap[]): string {
   const maps = shown.map(({ map, frame, borders, summary, probe }) => ({
     title: map.title,
     isProgram: map.isOwn,
@@ -137,7 +137,7 @@ function rowsOf({ marks }: MapFrame): string[] {
   });
 }
 
-const words = ({ map, summary, probe }: Pick<Shown, 'map' | 'summary' | 'probe'>): string =>
+const words = ({ map, summary, probe }: Pick<ShownMap, 'map' | 'summary' | 'probe'>): string =>
   summary
     ? [
         mapSentence(map.title, summary, probe, map.request.start !== undefined),
@@ -154,7 +154,7 @@ const MARGIN = 40;
 const LINE = 34;
 
 /** The maps side by side with their sentences and axes, for print. */
-function picture(shown: readonly Shown[]): Promise<Blob | null> {
+function picture(shown: readonly ShownMap[]): Promise<Blob | null> {
   const canvas = document.createElement('canvas');
   const width = shown.length * (MAP + MARGIN) + MARGIN;
   canvas.width = width;

@@ -33,7 +33,7 @@ import type { ExportItem } from '../../export-dialog.ts';
 import { saveButtons } from '../exports.ts';
 import { spawnLab } from '../lab-jobs.ts';
 import { atlasControls, zoomWords } from './atlas-controls.ts';
-import { atlasExports, type Shown } from './atlas-exports.ts';
+import { atlasExports, type ShownMap } from './atlas-exports.ts';
 import { legend, paintSamples } from './legend.ts';
 import { type MapState, mapJobs } from './map-jobs.ts';
 import { ownMapJobs, tryProgram } from './own-map.ts';
@@ -48,8 +48,8 @@ interface Context {
   readonly toRay: (withSteps: boolean) => void;
 }
 
-/** What is kept of a map while the page is shown. */
-interface Slot {
+/** Elements and jobs of one of the two maps. */
+interface MapSlot {
   readonly host: HTMLElement;
   readonly head: HTMLElement;
   readonly foot: HTMLElement;
@@ -58,7 +58,7 @@ interface Slot {
   readonly own: ReturnType<typeof ownMapJobs>;
 }
 
-/** The failure atlas: one or two maps of one window, and what is done with them. */
+/** The failure atlas: one or two maps of one window, with controls, legend and exports. */
 export function createAtlas(place: HTMLElement, { dispatch, changed, announce, toRay }: Context) {
   const area = (name: string, parent: HTMLElement = place): HTMLElement => {
     const element = document.createElement('div');
@@ -81,12 +81,12 @@ export function createAtlas(place: HTMLElement, { dispatch, changed, announce, t
   let isLeaving = false;
   /** What the student's program said of a chosen ray. */
   let tried: { readonly key: string; readonly words: string } | null = null;
-  let shown: readonly Shown[] = [];
+  let shown: readonly ShownMap[] = [];
   const slots = [createSlot(0), createSlot(1)];
   window.addEventListener('beforeprint', () => paintSamples(side, isLeaving, '#000000'));
   window.addEventListener('afterprint', changed);
 
-  function createSlot(index: number): Slot {
+  function createSlot(index: number): MapSlot {
     const host = area('atlas-map', mapsArea);
     const top = area('atlas-map-head', host);
     const field = area('atlas-field', host);
@@ -184,11 +184,11 @@ export function createAtlas(place: HTMLElement, { dispatch, changed, announce, t
   }
 
   function drawMap(
-    slot: Slot,
+    slot: MapSlot,
     map: AtlasMap | undefined,
     atlas: Atlas,
     index: number,
-  ): Shown | null {
+  ): ShownMap | null {
     slot.host.hidden = !map;
     if (!map) {
       slot.jobs.rest();
@@ -229,10 +229,10 @@ export function createAtlas(place: HTMLElement, { dispatch, changed, announce, t
   }
 
   const known = new WeakMap<
-    Slot,
+    MapSlot,
     { readonly frame: unknown; readonly borders: ReturnType<typeof bordersOf> }
   >();
-  function bordersFor(slot: Slot, request: MapRequest, { frame }: MapState) {
+  function bordersFor(slot: MapSlot, request: MapRequest, { frame }: MapState) {
     const before = known.get(slot);
     if (before?.frame === frame) return before.borders;
     const borders = frame ? bordersOf(request.shape, frame) : [];
@@ -403,6 +403,6 @@ function mapFoot(
     </div>`;
 }
 
-/** What makes two windows the same. */
+/** A text that is equal for equal windows. */
 const windowKey = ({ axes, measure, zoom, at, shape, ray, unit }: MapRequest): string =>
   JSON.stringify([axes, measure, zoom, at.map(shortest), shape, ray, unit]);

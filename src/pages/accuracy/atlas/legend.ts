@@ -2,10 +2,10 @@ import { html, type TemplateResult } from 'lit';
 import { inkOfLost, PATTERNS } from '../../../charts/map-ink.ts';
 import { MARKS, type Mark, TENTHS } from '../../../lab/atlas/marks.ts';
 import { LEAVING_WORDS, MARK_WORDS, shareWords } from '../../../state/accuracy/atlas-words.ts';
-import type { Shown } from './atlas-exports.ts';
+import type { ShownMap } from './atlas-exports.ts';
 
 /** How the marks of a map look, and what share of each map they are. */
-export function legend(shown: readonly Shown[], isLeaving: boolean): TemplateResult {
+export function legend(shown: readonly ShownMap[], isLeaving: boolean): TemplateResult {
   const words = isLeaving ? LEAVING_WORDS : MARK_WORDS;
   const marks = MARKS.filter((mark) => !isLeaving || (mark !== 'count' && mark !== 'undecided'));
   return html`<ul class="atlas-legend" aria-label="What the marks mean">
@@ -20,7 +20,7 @@ export function legend(shown: readonly Shown[], isLeaving: boolean): TemplateRes
 }
 
 /** The share of a mark in each map, of the pixels that have a ray. */
-const shares = (mark: Mark, shown: readonly Shown[]): string =>
+const shares = (mark: Mark, shown: readonly ShownMap[]): string =>
   mark === 'nothing'
     ? ''
     : shown
@@ -37,7 +37,7 @@ const DENSITY = 2;
 /** From no digit lost to all. */
 const lost = (x: number): number => inkOfLost((16 * TENTHS * x) / (WIDTH * DENSITY));
 
-function item(mark: Mark, words: string, shown: readonly Shown[]): TemplateResult {
+function item(mark: Mark, words: string, shown: readonly ShownMap[]): TemplateResult {
   return html`<li><canvas class="atlas-sample" width=${WIDTH * DENSITY} height=${HEIGHT * DENSITY}
     data-mark=${mark} aria-hidden="true" ></canvas>
     <span>${words}</span> <b>${shares(mark, shown)}</b></li>`;

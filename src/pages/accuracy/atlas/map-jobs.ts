@@ -5,17 +5,17 @@ import { type MapSummary, summaryOf } from '../../../lab/atlas/summary.ts';
 import type { LabReply } from '../../../lab/messages.ts';
 import type { LabWorker, Spawn } from '../lab-jobs.ts';
 
-/** A map as far as it has come. */
+/** A map with the pixels that have been computed. */
 export interface MapState {
   readonly request: MapRequest | null;
-  /** Null before the first pixel has ever come; of an earlier request until one of this comes. */
+  /** Null before the first pixel; of the request before until pixels of this one arrive. */
   readonly frame: MapFrame | null;
-  /** What the frame shows: it may still be an earlier window's. */
+  /** The request of `frame`, which may be an earlier one. */
   readonly shown: MapRequest | null;
   readonly running: boolean;
   /** Part of the pixels that are there, 0 … 1. */
   readonly share: number;
-  /** Of a whole map; null before. */
+  /** Null until the map is complete. */
   readonly summary: MapSummary | null;
   readonly probe: Probe | null;
   /** Why it ended early; '' if it did not. */
@@ -44,7 +44,7 @@ interface MapJobs {
   rest(): void;
 }
 
-/** Workers of one map: more would wait for each other on most devices. */
+/** Most workers of one map: more would wait for each other on most devices. */
 const MOST_WORKERS = 4;
 
 /** Draws one map after the other with some workers, which stay for the next one. */
@@ -52,7 +52,7 @@ export function mapJobs(spawn: Spawn, changed: () => void, cores: number): MapJo
   const parts = Math.min(Math.max(1, cores), MOST_WORKERS);
   let workers: LabWorker[] = [];
   let loading: Promise<void> | null = null;
-  /** Workers of an earlier era are not wanted any more when they have been loaded. */
+  /** Grows when workers are ended, so that workers still being loaded are ended on arrival. */
   let era = 0;
   let job = 0;
   let next: MapFrame = newMapFrame();
@@ -67,7 +67,7 @@ export function mapJobs(spawn: Spawn, changed: () => void, cores: number): MapJo
     put({ running: false, failed: reason });
   }
 
-  /** Ends the workers: what they still do is not wanted. */
+  /** Ends the workers; results of theirs that still arrive are ignored. */
   function stop(): void {
     for (const worker of workers) worker.terminate();
     workers = [];
@@ -96,7 +96,7 @@ export function mapJobs(spawn: Spawn, changed: () => void, cores: number): MapJo
     paint(next, data.part, data.block);
     const share = next.done / next.marks.length;
     if (!isWhole(next)) {
-      // The coarsest pixels of all parts make a picture; fewer would hide the one before.
+      // A frame is shown once its coarsest pixels are complete; until then the one before stays.
       const isSeen = state.frame === next || !next.block.includes(255);
       put({ share, ...(isSeen && { frame: next, shown: request }) });
       return;
@@ -158,7 +158,7 @@ export function mapJobs(spawn: Spawn, changed: () => void, cores: number): MapJo
   };
 }
 
-/** Requests are plain data; −0 is another number than 0, and JSON does not tell. */
+/** Whether two requests are equal; −0 and 0 differ, which JSON alone does not show. */
 export const sameMap = (a: MapRequest | null, b: MapRequest): boolean =>
   a !== null && textOf(a) === textOf(b);
 const textOf = (request: MapRequest): string =>

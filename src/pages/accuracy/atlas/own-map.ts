@@ -12,17 +12,17 @@ import { SIDE } from '../../../lab/atlas/window.ts';
 import type { Question } from '../../../math/families.ts';
 import { intersect, type Verdict } from '../../../math/index.ts';
 import { displayAll } from '../../../text/format.ts';
-import { late } from '../../../ui/late.ts';
-import { openMemory } from '../../check/memory.ts';
-import { runInSandbox } from '../../check/sandbox.ts';
+import { lazy } from '../../../ui/lazy.ts';
+import { openCheckStorage } from '../../check/check-storage.ts';
+import { IGNORE_MESSAGES, runInSandbox } from '../../check/sandbox.ts';
 import { EMPTY_MAP, type MapState, type mapJobs, sameMap } from './map-jobs.ts';
 
-/** What a program is told to a reader who has none. */
+/** Words for a person who has no program. */
 const NONE = 'There is no program of yours yet: write one on Check, under “own program”.';
 
 /** The student's program, as Check keeps it; null and why, where it cannot be run. */
 function program(): { readonly source: string | null; readonly why: string } {
-  const source = openMemory().program();
+  const source = openCheckStorage().program();
   if (source === null || source.trim() === '') return { source: null, why: NONE };
   const refusal = tooLong(source);
   return refusal
@@ -30,21 +30,21 @@ function program(): { readonly source: string | null; readonly why: string } {
     : { source, why: '' };
 }
 
-/** What of a program runs: one in TypeScript without its types, as on Check. */
+/** The script that runs: TypeScript without its types, as on Check. */
 async function scriptOf(source: string): Promise<string> {
   if (!looksTyped(source)) return asScript(source);
-  const loaded = await late(() => import('../../../check/program/strip.ts')).catch(() => null);
+  const loaded = await lazy(() => import('../../../check/program/strip.ts')).catch(() => null);
   const stripped = loaded?.stripTypes(source);
-  // As it stands, the sandbox says what is wrong with it.
+  // Source that cannot be stripped runs as it is: the sandbox then reports its syntax error.
   return asScript(stripped?.ok ? stripped.text : source);
 }
 
-/** The class that so many roots stand for, where the truth has as many; else the plain one. */
+/** The class of a program's roots: the true one if it has as many roots, else the plain one. */
 function verdictOf(output: Output, truth: Verdict): Verdict {
   if (output.type === 'shape') return 'undecided';
   const t = output.type === 'value' ? output.t : [];
   if (t.some(Number.isNaN)) return 'undecided';
-  // A program that throws, or returns no root, has said that there is none.
+  // A program that throws counts as one that returns no root.
   if (t.length === 0) return truth === 'contained' ? 'contained' : 'none';
   if (t.length === 1) return truth === 'tangent' ? 'tangent' : 'one';
   return t.length === 2 ? 'two' : 'undecided';
@@ -116,7 +116,7 @@ export function ownMapJobs(
     const packed = packedCases(request, asked);
     const job = { source: script, textbook, cases: [], timed: [], packed };
     close = runInSandbox(host, job, {
-      ...SILENT,
+      ...IGNORE_MESSAGES,
       output(index, output) {
         const one = asked[index];
         if (!one) return;
@@ -158,17 +158,8 @@ export function ownMapJobs(
   };
 }
 
-/** Outputs between two drawings. */
+/** Number of outputs from one drawing of the map to the next. */
 const SHOWN_EVERY = 512;
-
-const SILENT = {
-  output() {},
-  note() {},
-  console() {},
-  unsteady() {},
-  timing() {},
-  untimed() {},
-};
 
 interface Asked {
   readonly pixel: number;
@@ -190,7 +181,7 @@ function questionsOf(request: MapRequest, known: MapFrame): Asked[] {
   return asked;
 }
 
-/** The cases as numbers: of objects a message would be too large. */
+/** The cases as an array of numbers: as objects they would make too large a message. */
 function packedCases(request: MapRequest, asked: readonly Asked[]): PackedCases {
   const own = raysOf(request).axes.filter((axis) => axis.of === 'shape');
   const stride = 6 + own.length;
@@ -259,7 +250,7 @@ export async function tryProgram(
       timed: [],
     },
     {
-      ...SILENT,
+      ...IGNORE_MESSAGES,
       output(_, output) {
         said = answerWords(
           output,

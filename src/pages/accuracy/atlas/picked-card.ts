@@ -5,7 +5,7 @@ import type { AtlasMap } from '../../../state/accuracy/atlas.ts';
 /** The chosen pixel. */
 export interface Picked {
   readonly map: AtlasMap;
-  /** Its numbers, what is said, and what is right. */
+  /** Its numbers, the method's verdict and the right one. */
   readonly words: string;
   /** Its ray and shape as they would be typed; null where there are none. */
   readonly at: Question | null;

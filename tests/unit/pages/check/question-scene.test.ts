@@ -5,7 +5,7 @@ import { EXERCISES } from '../../../../src/check/exercises/index.ts';
 import { withParam } from '../../../../src/check/exercises/params.ts';
 import type { Answers } from '../../../../src/check/types.ts';
 import { definitionOf } from '../../../../src/math/shapes.ts';
-import { createPicture } from '../../../../src/pages/check/question-scene.ts';
+import { createQuestionScene } from '../../../../src/pages/check/question-scene.ts';
 import { endPoints } from '../../../../src/state/cut-drawing.ts';
 import type { SceneModel } from '../../../../src/state/scene-model.ts';
 import { stageAround } from '../../../../src/state/stage.ts';
@@ -29,7 +29,7 @@ const ON_PAPER = ALL.filter(({ exercise }) => exercise.paper && !exercise.pictur
 function drawn(posed: Posed, answers: Answers | null): SceneModel {
   const shown = drawnInput(posed, answers ?? {});
   const { given } = posed;
-  return createPicture()({ ...shown, results: false, answers, given, view: INITIAL.view });
+  return createQuestionScene()({ ...shown, results: false, answers, given, view: INITIAL.view });
 }
 
 const numbersIn = (words: string): string[] => words.match(/[−\d.·⁻⁰¹²³⁴-⁹]+/g) ?? [];

@@ -55,7 +55,7 @@ const stateOf = (shape: Shape, { origin: E, direction: d }: ExploreModel['ray'])
   revealed: 0,
 });
 
-const TOOLS = { command: () => undefined, playing: false, hearing: false, second: false };
+const TOOLS = { command: () => undefined, playing: false, soundOn: false, second: false };
 
 /** Everything on the page but E, d, the shape's numbers and the picture. */
 function pageOf(model: ExploreModel): string {

@@ -30,10 +30,10 @@ function drag(frames: number, fixed: number, price: number) {
   let now = 0;
   for (let k = 0; k < frames; k++) {
     hand.move(turned(0.01, 0));
-    const { next, shown } = hand.moving(STILL, seen, now);
+    const { next, shown } = hand.coarsePictures(STILL, seen, now);
     // The hand goes on while the picture is traced, which stays the same.
     hand.move(turned(0.01, 0));
-    expect(hand.moving(STILL, seen, now).next).toBe(next);
+    expect(hand.coarsePictures(STILL, seen, now).next).toBe(next);
     const pixels = next.width * next.height;
     const ms = fixed + (price * pixels) / 1e6;
     made.push({ ms, pixels, shown });
@@ -76,9 +76,9 @@ describe('while the hand goes on', () => {
     const seen = () => ({ state: 'finished', ...tracedIn(20) }) as TraceProgress;
     hand.hold();
     hand.move(turned(0.01, 0));
-    const { next } = hand.moving(STILL, seen, 0);
-    expect(hand.moving(STILL, seen, 50).next).toBe(next);
+    const { next } = hand.coarsePictures(STILL, seen, 0);
+    expect(hand.coarsePictures(STILL, seen, 50).next).toBe(next);
     hand.move(turned(0.01, 0));
-    expect(hand.moving(STILL, seen, 5000).next.width).toBe(next.width);
+    expect(hand.coarsePictures(STILL, seen, 5000).next.width).toBe(next.width);
   });
 });

@@ -35,7 +35,7 @@ test('rays play one after another, in the list’s order, and then all are there
   const { wait, tick, waiting } = clock();
   const seen: (string | null)[] = [];
   const play = createRayPlay(() => seen.push(play.at()), wait);
-  play.of(rows);
+  play.setRows(rows);
   expect(waiting.size).toBe(0);
   play.toggle();
   while (waiting.size > 0) tick();
@@ -47,7 +47,7 @@ test('it stands still, goes by steps both ways, and plays on from there', async 
   const rows = await rowsOf('mirror', 24, 20);
   const { wait, tick, waiting } = clock();
   const play = createRayPlay(() => {}, wait);
-  play.of(rows);
+  play.setRows(rows);
   play.toggle();
   tick();
   play.toggle();
@@ -62,6 +62,6 @@ test('it stands still, goes by steps both ways, and plays on from there', async 
   play.toggle();
   tick();
   expect(play.at()).toBe(rows[1]?.path);
-  play.of([...(await rowsOf('mirror', 3, 20))]);
+  play.setRows([...(await rowsOf('mirror', 3, 20))]);
   expect([play.at(), play.runs(), waiting.size]).toEqual([null, false, 0]);
 });

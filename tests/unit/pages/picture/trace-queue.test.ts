@@ -237,18 +237,18 @@ describe('behind what is wanted', () => {
       const the = bench(2, oneAfterAnother(createRepeats(), refiner));
       const main = requests({ samples, scene }).main;
       const fine = requests({ samples: '16', scene }).main;
-      const refine = (): void => refiner.of(main, the.room.seen(main)?.frame ?? null);
+      const refine = (): void => refiner.setPicture(main, the.room.seen(main)?.frame ?? null);
       await rest(the, [main]);
       refine();
       await rest(the, [main]);
-      expect(refiner.done(main)).toEqual({ everywhere: 16, edges: 16 });
+      expect(refiner.progress(main)).toEqual({ everywhere: 16, edges: 16 });
       expect(refiner.next()).toBeNull();
-      refiner.of(null, null);
+      refiner.setPicture(null, null);
       await rest(the, [fine]);
       refine();
-      expect(refiner.frame(main)).toBeNull();
+      expect(refiner.finer(main)).toBeNull();
       await rest(the, [main]);
-      expect(rgbaOf(refiner.frame(main))).toEqual(rgbaOf(the.room.seen(fine)?.frame));
+      expect(rgbaOf(refiner.finer(main))).toEqual(rgbaOf(the.room.seen(fine)?.frame));
     },
   );
 
@@ -262,23 +262,23 @@ describe('behind what is wanted', () => {
       let differences = new Uint8Array(0);
       const the = bench(2, {
         ...refiner,
-        took(request, progress) {
+        onResult(request, progress) {
           const { samples: order = [], pixels } = request.settings.part ?? {};
           pixels?.forEach((one, i) => {
             if (one) rays.set(i, [...(rays.get(i) ?? []), ...order]);
           });
-          refiner.took(request, progress);
+          refiner.onResult(request, progress);
           const counts = [...differences.keys()].map((i) => rays.get(i)?.length ?? 0);
           const steep = counts.filter((_, i) => (differences[i] ?? 0) > EDGES[0]);
           const [least, at32] = [Math.min(...counts), Math.min(...steep)];
-          seen.push({ ...(refiner.done(main) as Refined), least, at32 });
+          seen.push({ ...(refiner.progress(main) as Refined), least, at32 });
         },
       });
       await rest(the, [main]);
       const stands = the.room.seen(main)?.frame as Frame;
       differences = differencesBeside(stands);
       const before = [...stands.rgba];
-      refiner.of(main, stands);
+      refiner.setPicture(main, stands);
       await rest(the, [main]);
       for (const order of rays.values()) expect(order).toEqual(rays.get(0));
       expect([...(rays.get(0) ?? [])].sort((a, b) => a - b)).toEqual([...Array(16).keys()]);
@@ -296,28 +296,28 @@ describe('behind what is wanted', () => {
     let passes = 0;
     const the = bench(1, {
       ...refiner,
-      took(request, progress) {
-        refiner.took(request, progress);
+      onResult(request, progress) {
+        refiner.onResult(request, progress);
         passes += 1;
         if (passes === 1) refiner.stop();
       },
     });
     const main = requests({ scene: 'everything.2' }).main;
     await rest(the, [main]);
-    refiner.of(main, the.room.seen(main)?.frame ?? null);
+    refiner.setPicture(main, the.room.seen(main)?.frame ?? null);
     await rest(the, [main]);
-    expect([passes, refiner.done(main)]).toEqual([1, { everywhere: 1, edges: EDGE_RAYS }]);
+    expect([passes, refiner.progress(main)]).toEqual([1, { everywhere: 1, edges: EDGE_RAYS }]);
   });
 
   test('how the price grows: all work, then the times; it waits, stops, begins anew', async () => {
     const growth = createGrowth();
     const the = bench(2, growth);
     const { main } = requests({ scene: 'mirror' });
-    growth.of(main);
-    growth.rests(true);
+    growth.setPicture(main);
+    growth.setPaused(true);
     await rest(the, [main]);
     expect(growth.state()).toMatchObject({ share: 0, runs: true, repeat: 0 });
-    growth.rests(false);
+    growth.setPaused(false);
     the.room.want([main]);
     await the.work(40);
     const some = growth.state()?.series.flatMap(({ points }) => points) ?? [];
@@ -338,7 +338,7 @@ describe('behind what is wanted', () => {
     for (const { points } of found?.series ?? []) {
       for (const { time } of points) expect(time?.low).toBeGreaterThanOrEqual(0);
     }
-    growth.of(null);
+    growth.setPicture(null);
     expect(growth.state()).toBeNull();
   });
 
@@ -347,7 +347,7 @@ describe('behind what is wanted', () => {
     const the = bench(2, search);
     const { main } = requests({ scene: 'cone-on-mirror' }, 'certified');
     const budget = BUDGET.read('0.5');
-    search.of(main, budget);
+    search.setPicture(main, budget);
     await rest(the, [main]);
     const found = search.state();
     const pixels = 32 * 18;
@@ -360,11 +360,11 @@ describe('behind what is wanted', () => {
     const broken = found?.candidates.filter(({ keeps }) => !keeps) ?? [];
     expect(broken.some(({ seen }) => seen < pixels / 2)).toBe(true);
     // The same question is not asked again, another one is.
-    search.of(requests({ scene: 'cone-on-mirror' }, 'certified').main, BUDGET.read('0.5'));
+    search.setPicture(requests({ scene: 'cone-on-mirror' }, 'certified').main, BUDGET.read('0.5'));
     expect(search.state()).toBe(found);
-    search.of(main, BUDGET.read('10%'));
+    search.setPicture(main, BUDGET.read('10%'));
     expect(search.state()).toMatchObject({ candidates: [], chosen: null, runs: true });
-    search.of(main, null);
+    search.setPicture(main, null);
     expect([search.state(), search.next()]).toEqual([null, null]);
   });
 });

@@ -1,11 +1,11 @@
 import { html, nothing, render } from 'lit';
-import { notLoaded } from '../ui/late.ts';
+import { notLoaded } from '../ui/lazy.ts';
 import type { Mounted } from '../ui/mounted.ts';
 
 /** ms after which the page says that something is being loaded. */
 const PATIENCE_MS = 300;
 
-interface LateView<Model, View> extends Mounted<Model> {
+interface LazyView<Model, View> extends Mounted<Model> {
   /** Null until it has been loaded. */
   view(): View | null;
 }
@@ -14,12 +14,12 @@ interface LateView<Model, View> extends Mounted<Model> {
  * A view whose code is a chunk of its own; the rest of the page works before and without it. `load`
  * loads it by `late`; `waiting` is shown while it loads, `failed` if it cannot be loaded.
  */
-export function lateView<Model, Code, View extends Mounted<Model>>(
+export function lazyView<Model, Code, View extends Mounted<Model>>(
   host: HTMLElement,
   load: () => Promise<Code>,
   mount: (code: Code) => View,
   { waiting, failed }: { readonly waiting: string; readonly failed: string },
-): LateView<Model, View> {
+): LazyView<Model, View> {
   let model: Model | null = null;
   let view: View | null = null;
   let disposed = false;

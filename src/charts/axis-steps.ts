@@ -1,5 +1,5 @@
 /** 1, 2 or 5 times a power of ten, as text parts, so that multiples are exact decimals. */
-export interface Step {
+export interface AxisStep {
   readonly digit: 1 | 2 | 5;
   readonly power: number;
 }
@@ -10,21 +10,21 @@ const LARGEST_WHOLE = Number.MAX_SAFE_INTEGER;
 const [TO_TWO, TO_FIVE, TO_TEN] = [Math.SQRT2, Math.sqrt(10), Math.sqrt(50)];
 
 /** The step nearest to a positive length. */
-export function niceStep(length: number): Step {
+export function niceStep(length: number): AxisStep {
   const [mantissa = '1', exponent = '0'] = length.toExponential().split('e');
   const [m, power] = [Number(mantissa), Number(exponent)];
   if (m >= TO_TEN) return { digit: 1, power: power + 1 };
   return { digit: m < TO_TWO ? 1 : m < TO_FIVE ? 2 : 5, power };
 }
 
-export function stepSize({ digit, power }: Step): number {
+export function stepSize({ digit, power }: AxisStep): number {
   return Number(`${digit}e${power}`);
 }
 
 /**
  * The multiple of the step nearest to t, as short as decimals get: 3.4, never 3.4000000000000004.
  */
-export function snap(t: number, step: Step): number {
+export function snap(t: number, step: AxisStep): number {
   const multiple = Math.round(t / stepSize(step)) * step.digit;
   if (!(Math.abs(multiple) <= LARGEST_WHOLE)) return t;
   return Number(`${multiple}e${step.power}`) + 0;

@@ -2,8 +2,8 @@ import type { Environment } from '../../state/course/course.ts';
 
 const two = (x: number): string => String(x).padStart(2, '0');
 
-/** The clock of this device, and its chance. */
-export const SURROUNDINGS: Environment = {
+/** Clocks and random ids of the browser. */
+export const BROWSER_ENVIRONMENT: Environment = {
   now: () => performance.now(),
   clock() {
     const now = new Date();
@@ -12,7 +12,7 @@ export const SURROUNDINGS: Environment = {
   // Hundredths of a second: SCORM allows no more digits.
   stamp: () => `${new Date().toISOString().slice(0, 22)}Z`,
   uuid() {
-    // randomUUID is missing on pages that came without encryption.
+    // crypto.randomUUID exists only in secure contexts: HTTPS and localhost.
     const bytes = crypto.getRandomValues(new Uint8Array(16));
     const hex = Array.from(bytes, (byte, i) => {
       const own = i === 6 ? (byte & 0x0f) | 0x40 : i === 8 ? (byte & 0x3f) | 0x80 : byte;

@@ -3,11 +3,11 @@ import type { Vec3 } from '../../math/index.ts';
 import { definitionOf } from '../../math/shapes.ts';
 import type { Dispatch } from '../../state/actions.ts';
 import type { FullModel } from '../../state/derive.ts';
-import { late } from '../../ui/late.ts';
+import { lazy } from '../../ui/lazy.ts';
 import type { Mounted } from '../../ui/mounted.ts';
-import { lateScene } from '../late-scene.ts';
+import { lazyScene } from '../lazy-scene.ts';
 
-interface StageModel {
+interface ExplorePartModel {
   readonly model: FullModel;
   /** Whether the handle of this symbol can be dragged. */
   readonly movable: (symbol: string) => boolean;
@@ -15,7 +15,7 @@ interface StageModel {
   readonly normals: boolean;
 }
 
-/** Width in CSS pixels from which the view from above stands beside the scene, not in it. */
+/** Least width in CSS pixels of a drawing from above that stands beside the scene, not in it. */
 const LARGE = 200;
 
 /** Points that must be in the frame: E, the hits, and points of the shape around its anchor. */
@@ -29,8 +29,8 @@ function toBeSeen({ shape, ray, scene }: FullModel): Vec3[] {
   return [...(scene.ray.originDrawn ? [ray.origin] : []), ...hits, ...around];
 }
 
-/** Explore's scene and graph, and the scene from above, without its controls. */
-export function mountExploreStage(host: HTMLElement, dispatch: Dispatch): Mounted<StageModel> {
+/** Explore's scene and graph for a lesson, with a drawing from above, without controls. */
+export function mountExplorePart(host: HTMLElement, dispatch: Dispatch): Mounted<ExplorePartModel> {
   const area = (name: string, parent: HTMLElement = host): HTMLElement => {
     const element = document.createElement('div');
     element.className = name;
@@ -38,7 +38,7 @@ export function mountExploreStage(host: HTMLElement, dispatch: Dispatch): Mounte
     return element;
   };
   host.classList.add('explore-stage');
-  const scene = lateScene(area('scene-host', area('lesson-scene')), dispatch);
+  const scene = lazyScene(area('scene-host', area('lesson-scene')), dispatch);
   const above = area('lesson-above');
   const drawn = area('above-drawing', above);
   const caption = document.createElement('p');
@@ -55,7 +55,7 @@ export function mountExploreStage(host: HTMLElement, dispatch: Dispatch): Mounte
   };
   const resized = new ResizeObserver(drawAbove);
   resized.observe(drawn);
-  late(() => import('../../canvas/thumbnail.ts')).then(
+  lazy(() => import('../../canvas/thumbnail.ts')).then(
     (loaded) => {
       code = loaded;
       drawAbove();

@@ -1,7 +1,7 @@
 import { html, svg, type TemplateResult } from 'lit';
 import { encode } from 'uqr';
 
-export const CODE = {
+export const QR_CODE = {
   /** Of the printed code with its margin, as in handout.css: phones read modules of 0.3 mm. */
   millimetres: 28,
   /** UTF-8 bytes that the largest version holds, with the least correction. */
@@ -10,16 +10,16 @@ export const CODE = {
 } as const;
 
 /** The link as a QR code's rows, true where it is dark; or a sentence on why there is none. */
-export function codeOf(link: string, what = 'link'): readonly (readonly boolean[])[] | string {
+export function qrRows(link: string, what = 'link'): readonly (readonly boolean[])[] | string {
   if (link.startsWith('file:')) {
     return 'No QR code: this page was opened from a file, which no other device has.';
   }
   const bytes = new TextEncoder().encode(link).length;
-  if (bytes > CODE.mostBytes) {
-    const most = `one that phones read from paper holds ${CODE.mostBytes}`;
+  if (bytes > QR_CODE.mostBytes) {
+    const most = `one that phones read from paper holds ${QR_CODE.mostBytes}`;
     return `No QR code: this ${what} has ${bytes} bytes, and ${most}.`;
   }
-  return encode(link, CODE.options).data;
+  return encode(link, QR_CODE.options).data;
 }
 
 /**
@@ -28,8 +28,8 @@ export function codeOf(link: string, what = 'link'): readonly (readonly boolean[
  * @param link the whole address, or another text
  * @param what it is, in words
  */
-export function linkCode(link: string, what = 'link'): TemplateResult {
-  const rows = codeOf(link, what);
+export function qrCode(link: string, what = 'link'): TemplateResult {
+  const rows = qrRows(link, what);
   if (typeof rows === 'string') return html`<p class="no-code">${rows}</p>`;
   const path = rows
     .flatMap((row, y) => row.map((dark, x) => (dark ? `M${x} ${y}h1v1h-1z` : '')))

@@ -1,5 +1,5 @@
 /** Creates the areas of the page in reading and focus order. */
-export function layOut(host: HTMLElement) {
+export function createAreas(host: HTMLElement) {
   host.classList.add('accuracy');
   const area = (name: string, parent = host): HTMLElement => {
     const element = document.createElement('div');

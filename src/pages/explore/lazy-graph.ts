@@ -1,8 +1,8 @@
 import type { Dispatch } from '../../state/actions.ts';
 import type { GraphModel } from '../../state/graph-model.ts';
-import { late } from '../../ui/late.ts';
+import { lazy } from '../../ui/lazy.ts';
 import type { Mounted } from '../../ui/mounted.ts';
-import { lateView } from '../late-view.ts';
+import { lazyView } from '../lazy-view.ts';
 
 const WORDS = {
   waiting: 'plotting…',
@@ -10,10 +10,10 @@ const WORDS = {
 };
 
 /** The graph of f, loaded after the formulas and numbers are shown. */
-export const lateGraph = (host: HTMLElement, dispatch: Dispatch): Mounted<GraphModel> =>
-  lateView(
+export const lazyGraph = (host: HTMLElement, dispatch: Dispatch): Mounted<GraphModel> =>
+  lazyView(
     host,
-    () => late(() => import('../../charts/graph.ts')),
+    () => lazy(() => import('../../charts/graph.ts')),
     ({ mountGraph }) => mountGraph(host, dispatch),
     WORDS,
   );

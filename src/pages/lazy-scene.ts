@@ -1,8 +1,8 @@
 import type { Dispatch } from '../state/actions.ts';
 import type { SceneModel } from '../state/scene-model.ts';
-import { late } from '../ui/late.ts';
+import { lazy } from '../ui/lazy.ts';
 import type { Mounted } from '../ui/mounted.ts';
-import { lateView } from './late-view.ts';
+import { lazyView } from './lazy-view.ts';
 
 export interface Scene extends Mounted<SceneModel> {
   /** The picture as a PNG; null while there is none. */
@@ -15,14 +15,14 @@ const WORDS = {
 };
 
 /** The scene, with three.js. */
-export function lateScene(host: HTMLElement, dispatch: Dispatch): Scene {
-  const { view, ...mounted } = lateView<
+export function lazyScene(host: HTMLElement, dispatch: Dispatch): Scene {
+  const { view, ...mounted } = lazyView<
     SceneModel,
     typeof import('../canvas/scene.ts'),
     ReturnType<typeof import('../canvas/scene.ts').mountScene>
   >(
     host,
-    () => late(() => import('../canvas/scene.ts')),
+    () => lazy(() => import('../canvas/scene.ts')),
     ({ mountScene }) => mountScene(host, dispatch),
     WORDS,
   );

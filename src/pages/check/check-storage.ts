@@ -7,7 +7,7 @@ const PROGRAM = 'graze.check.program';
 const OWN = 'graze.check.own';
 
 /** What this page keeps in the browser's storage, so that a reload loses nothing. */
-export interface Memory {
+export interface CheckStorage {
   session(seed: number, set: string): Progress;
   keep(progress: Progress): void;
   program(): string | null;
@@ -16,7 +16,7 @@ export interface Memory {
   keepOwn(texts: Texts): void;
 }
 
-export function openMemory(): Memory {
+export function openCheckStorage(): CheckStorage {
   let sessions = readSessions(recall(SESSIONS));
   return {
     session: (seed, set) =>

@@ -25,7 +25,7 @@ export interface LessonStep {
 }
 
 /** The lesson and the step that settings name; null for the list of lessons. */
-export function placeOf(settings: Settings): LessonStep | null {
+export function lessonStepOf(settings: Settings): LessonStep | null {
   const lesson = safely(settings)?.lesson;
   if (!lesson) return null;
   const number = stepAt(lesson, settings.step);
@@ -47,7 +47,7 @@ function safely(settings: Settings): ReadLesson | null {
 /** The valid settings of a link, and what is wrong with the others. */
 export function readSettings(given: Settings): Readable {
   const problems = problemsOf(given);
-  const place = placeOf(given);
+  const place = lessonStepOf(given);
   if (!place) return { settings: {}, problems };
   const settings = { ...given };
   if (given.step !== undefined && given.step !== String(place.number)) {

@@ -1,18 +1,18 @@
 import type { Store } from '../../state/store.ts';
 
-/** What of a hidden result is shown: lines, and the answer to an example's question. */
-interface Shown {
+/** How much of a hidden result has been revealed. */
+interface RevealedLines {
   readonly lines: number;
   readonly told: boolean;
 }
 
 /**
- * A link with hidden results hides all of them, whoever opens it. What has been shown of them since
- * is kept in the entry of the browser's history, which outlives a reload and goes nowhere else.
+ * Keeps the number of revealed lines over a reload: in the entry of the browser's history, since a
+ * link with hidden results hides all of them.
  */
-export function keepLines({ get, dispatch, subscribe }: Store): void {
+export function keepRevealed({ get, dispatch, subscribe }: Store): void {
   const before = kept();
-  // Not over what the person has shown already.
+  // Not if the person has revealed lines before this code was loaded.
   if (before && get().revealed === 0) dispatch({ type: 'reveal', lines: before.lines });
   if (before?.told) dispatch({ type: 'tell', on: true });
   subscribe(({ revealed, told }) => {
@@ -22,12 +22,12 @@ export function keepLines({ get, dispatch, subscribe }: Store): void {
     try {
       history.replaceState({ ...history.state, shown: { lines, told } }, '');
     } catch {
-      // A browser that counts these calls has had enough of them for now.
+      // Browsers limit the number of these calls in a time.
     }
   });
 }
 
-function kept(): Shown | null {
+function kept(): RevealedLines | null {
   const { lines, told } = history.state?.shown ?? {};
   return Number.isInteger(lines) && lines >= 0 ? { lines, told: told === true } : null;
 }

@@ -1,25 +1,25 @@
 import { nothing, render } from 'lit';
 import type { TreeModel, TreeTools } from '../../canvas/ray-tree.ts';
-import { late, notLoaded } from '../../ui/late.ts';
+import { lazy, notLoaded } from '../../ui/lazy.ts';
 import type { Mounted } from '../../ui/mounted.ts';
 
 /**
  * The view in space, whose code is loaded with the first pixel that is chosen. The list stands
  * without it.
  */
-interface LateRayTree {
+interface LazyRayTree {
   /** Null removes the view. */
   render(model: TreeModel | null): void;
 }
 
-export function lateRayTree(host: HTMLElement, tools: TreeTools): LateRayTree {
+export function lazyRayTree(host: HTMLElement, tools: TreeTools): LazyRayTree {
   let model: TreeModel | null = null;
   let mounted: Mounted<TreeModel> | null = null;
   let asked = false;
   const load = (): void => {
     asked = true;
     render(nothing, host);
-    late(() => import('../../canvas/ray-tree.ts')).then(
+    lazy(() => import('../../canvas/ray-tree.ts')).then(
       ({ mountTree }) => {
         mounted = mountTree(host, tools);
         if (model) mounted.render(model);

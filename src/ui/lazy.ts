@@ -17,7 +17,7 @@ export function watchStyles(root: Document): void {
 }
 
 /** Loads code; after a failure it loads again what failed, also style sheets. */
-export async function late<T>(load: () => Promise<T>): Promise<T> {
+export async function lazy<T>(load: () => Promise<T>): Promise<T> {
   await Promise.all([...failedStyles].map(fetchedAgain));
   return load();
 }

@@ -4,11 +4,11 @@ import type { Judged } from '../../check/judge.ts';
 import type { Progress } from '../../check/progress.ts';
 import type { View } from '../../state/camera-view.ts';
 import type { AppState } from '../../state/state.ts';
-import { lateScene } from '../late-scene.ts';
+import { lazyScene } from '../lazy-scene.ts';
 import type { PageContext } from '../page.ts';
-import type { Memory } from './memory.ts';
-import type { Wanted } from './question-scene.ts';
-import { createPicture } from './question-scene.ts';
+import type { CheckStorage } from './check-storage.ts';
+import type { QuestionSceneInput } from './question-scene.ts';
+import { createQuestionScene } from './question-scene.ts';
 import type { CheckSettings } from './settings.ts';
 
 /** The session of a package's set, whose answers go to a course system. */
@@ -24,7 +24,7 @@ export interface CourseSession {
 
 /** What every part of the page is created with. */
 export interface PartContext extends PageContext {
-  readonly memory: Memory;
+  readonly storage: CheckStorage;
   /** Writes settings into the link. */
   readonly set: (wanted: Partial<CheckSettings>) => void;
   /** The session that is reported, in a package for a course system; null elsewhere. */
@@ -41,10 +41,10 @@ export interface LeftPart {
     body: HTMLElement,
     state: AppState,
     settings: CheckSettings,
-  ): Shown | null;
+  ): QuestionPicture | null;
 }
 
-/** A part that takes the whole width, for whoever makes sets and marks classes. */
+/** A part that takes the whole width, for lecturers: making sets, marking classes. */
 export interface WidePart {
   render(host: HTMLElement, settings: CheckSettings): void;
   /** Takes a file that was dropped on the page; false if the part has no use for it. */
@@ -53,7 +53,7 @@ export interface WidePart {
   rest?(): void;
 }
 
-export type Shown = Omit<Wanted, 'view'>;
+export type QuestionPicture = Omit<QuestionSceneInput, 'view'>;
 
 export function element(className: string, into: Element): HTMLElement {
   const made = document.createElement('div');
@@ -68,13 +68,13 @@ export function element(className: string, into: Element): HTMLElement {
 export function turnablePicture(
   host: HTMLElement,
   changed: () => void,
-): { render(shown: Shown): void } {
-  const picture = createPicture();
+): { render(shown: QuestionPicture): void } {
+  const picture = createQuestionScene();
   let view: View = 'iso';
-  let scene: ReturnType<typeof lateScene> | null = null;
+  let scene: ReturnType<typeof lazyScene> | null = null;
   return {
     render(shown) {
-      scene ??= lateScene(element('scene-host', host), (action) => {
+      scene ??= lazyScene(element('scene-host', host), (action) => {
         if (action.type !== 'view') return;
         view = action.view;
         changed();

@@ -1,16 +1,16 @@
 import type { Dispatch } from '../../state/actions.ts';
 import type { ExploreModel } from '../../state/derive.ts';
-import { late } from '../../ui/late.ts';
+import { lazy } from '../../ui/lazy.ts';
 import type { Mounted } from '../../ui/mounted.ts';
-import { lateView } from '../late-view.ts';
+import { lazyView } from '../lazy-view.ts';
 
 const WORDS = { waiting: 'loading…', failed: 'This part of Graze could not be loaded.' };
 
 /** The parts of Explore that the link names, in the document of the whole page. */
-export const lateEmbed = (host: HTMLElement, dispatch: Dispatch): Mounted<ExploreModel> =>
-  lateView(
+export const lazyEmbed = (host: HTMLElement, dispatch: Dispatch): Mounted<ExploreModel> =>
+  lazyView(
     host,
-    () => late(() => import('./embed-view.ts')),
+    () => lazy(() => import('./embed-view.ts')),
     ({ mountEmbed }) => mountEmbed(host, dispatch, location.href.replace(/#.*$/, '')),
     WORDS,
   );

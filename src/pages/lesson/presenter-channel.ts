@@ -1,8 +1,8 @@
 import type { ShownValue } from './prose-view.ts';
 
 /*
- * A lecture in two windows: the one that is projected, and the presenter's with notes and clock. It
- * is the same page with ?presenter=ID in its address; they speak over a channel of that name.
+ * Messages between the projected window of a lecture and the presenter's window with notes and a
+ * clock: the same page with ?presenter=ID in its address, over a BroadcastChannel of that id.
  */
 
 /** What the projected window shows. */
@@ -11,7 +11,7 @@ export interface Projected {
   readonly hash: string;
   /** What a lesson's text tells of another page than Explore, as it stands there. */
   readonly numbers: Readonly<Record<string, ShownValue>>;
-  /** What no link of Explore carries; null for a lesson. */
+  /** State of Explore that no link carries; null for a lesson. */
   readonly look: {
     /** How many lines of the result are shown; null for all of them. */
     readonly revealed: number | null;
@@ -43,7 +43,7 @@ const LONGEST_TEXT = 200;
 const isRecord = (data: unknown): data is Readonly<Record<string, unknown>> =>
   typeof data === 'object' && data !== null;
 
-/** The message, where it is one: any page of this origin may send anything. */
+/** The message, checked: any page of this origin may send anything. Null for no message. */
 export function readMessage(data: unknown): Message | null {
   if (!isRecord(data)) return null;
   const { type, stage, key } = data;
