@@ -30,13 +30,16 @@ export function snap(t: number, step: AxisStep): number {
   return Number(`${multiple}e${step.power}`) + 0;
 }
 
-/** The multiples of a nice step from `from` to `to`, about `count` of them. */
+/** Steps from 0 to a tick at most: fifteen digits, which a double keeps, tell ticks apart. */
+const MOST_STEPS = 1e14;
+
+/** The multiples of a nice step from `from` to `to`, about `count` of them; fewer far from 0. */
 export function niceTicks(from: number, to: number, count: number): number[] {
-  const step = niceStep((to - from) / count);
+  const step = niceStep(Math.max((to - from) / count, Math.max(-from, to) / MOST_STEPS));
   const size = stepSize(step);
-  const first = Math.ceil(from / size);
-  const room = Math.floor(to / size) - first + 1;
-  return Array.from({ length: Math.max(0, room) }, (_, k) => snap((first + k) * size, step));
+  const first = Math.floor(from / size);
+  const about = Array.from({ length: 2 * count + 2 }, (_, k) => snap((first + k) * size, step));
+  return about.filter((tick) => from <= tick && tick <= to);
 }
 
 export function clamp(x: number, low: number, high: number): number {

@@ -21,7 +21,8 @@ test('ticks are multiples of a nice step, and those of d3', () => {
   );
 });
 
-test('far from 0, where the last multiples are doubles', () => {
-  expect(niceTicks(1e15, 1e15 + 4, 4)).toEqual([0, 1, 2, 3, 4].map((k) => 1e15 + k));
+test('far from 0, where fifteen digits still tell multiples apart', () => {
+  expect(niceTicks(1e14, 1e14 + 4, 4)).toEqual([0, 1, 2, 3, 4].map((k) => 1e14 + k));
+  expect(niceTicks(4e15, 4e15 + 4, 4)).toEqual([4e15]);
   expect(niceTicks(0, 1e-280, 5)).toEqual([0, 2e-281, 4e-281, 6e-281, 8e-281, 1e-280]);
 });
