@@ -140,6 +140,7 @@ export function headline({ typical, onSurface, methods, measured }: Ladder): str
     ...table(head, [
       ...rows,
       more('certified, class only', typical, 'classes'),
+      more('certified, first hit at t ≥ 0', typical, 'first'),
       more('certified, rays that start on a surface', onSurface, 'both'),
     ]),
     '',
@@ -204,9 +205,13 @@ const percent = (part: number, all: number): string =>
  * The text with what stands between the two marks replaced. Throws RangeError where they are
  * missing.
  */
-export function betweenMarks(text: string, lines: readonly string[]): string {
-  const from = text.indexOf(MARKS[0]);
-  const to = text.indexOf(MARKS[1]);
-  if (from < 0 || to < from) throw new RangeError(`no ${MARKS.join(' … ')} in the text`);
-  return text.slice(0, from) + lines.join('\n') + text.slice(to + MARKS[1].length);
+export function betweenMarks(
+  text: string,
+  lines: readonly string[],
+  marks: readonly [string, string] = MARKS,
+): string {
+  const from = text.indexOf(marks[0]);
+  const to = text.indexOf(marks[1]);
+  if (from < 0 || to < from) throw new RangeError(`no ${marks.join(' … ')} in the text`);
+  return text.slice(0, from) + lines.join('\n') + text.slice(to + marks[1].length);
 }

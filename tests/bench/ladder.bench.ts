@@ -19,9 +19,9 @@ import {
 } from './ladder-report.ts';
 import { leftBy } from './left.ts';
 import { objectPrices } from './objects.ts';
-import { operationLines } from './operations.ts';
 import { besideOthers } from './others.ts';
 import { type Asked, type Form, pricesOf, TARGETS } from './prices.ts';
+import { REASONS_SAMPLE, reasonLines, reasonsOf } from './reasons.ts';
 import { referencePrices } from './reference.ts';
 
 /*
@@ -78,6 +78,8 @@ const onSurface = pricesOf(
 );
 const objects = objectPrices(SEED, { ...PLAN, warmUp: 10 });
 const others = besideOthers(SEED, many, PLAN);
+const byTrees = METHODS.filter(({ id }) => id !== 'exact');
+const reasons = reasonLines(reasonsOf(find('typical'), REASONS_SAMPLE, byTrees, PLAN), byTrees);
 
 function measured(family: Family): Measured {
   const sample = { seed: SEED, shapes: SHAPES, count: COUNT };
@@ -119,45 +121,9 @@ const lines = [
   '',
   ...quartilesTable(ladder),
   '',
-  '## Operations',
+  '## Why',
   '',
-  'Of a ray that hits a cone, both roots, counted in the program that both kernels are made of; ' +
-    'for certified in the three passes of its first stage. In TypeScript it is one of them after ' +
-    'the other; in WebAssembly two rays at once, or four.',
-  '',
-  ...operationLines(METHODS),
-  '',
-  'What stands in the way of lower prices, tried on single cones, hyperboloids and ' +
-    'cylinders on 2026-11-30, on a busy machine (AMD EPYC at 4 GHz; textbook in TypeScript 7 ' +
-    'to 8.6 ns a ray, in SIMD 2.9 to 3.5):',
-  '',
-  '* textbook32 in SIMD: rays and roots are arrays of float64. Four rays take 12 ' +
-    'conversions and 6 shuffles on their way in, 4 and 2 on their way out. The same program ' +
-    "on arrays of float32 takes 0.45 of textbook's time, on those of float64 0.64, and 0.73 " +
-    'for a cylinder, of which textbook does not read two arrays that float32 must look at.',
-  '* stable in TypeScript: its loop takes 10.3 ns, and 8.4 without the order of the roots ' +
-    'and the sign of q; Math.min and Math.max, which branch, make it 27, a product with 0 or ' +
-    '1 9.8.',
-  '* compensated in TypeScript: two additions a cycle, 0.12 ns each, take 48 ns for those ' +
-    'above; the loop 77, and 96 before the hits of a block were listed first.',
-  '* interval in TypeScript: the loop takes 225 ns; 270 with choices by a table, 238 with ' +
-    'hits listed first.',
-  '* interval with numbers beyond 2^±100 is left to the method, 83 % of rays with a long or ' +
-    'short d and 98 % of scenes in other units: an end near the limits of the doubles moves ' +
-    'outwards even where nothing was rounded, and that would have to be asked of each of 386 ' +
-    'products. A pair of doubles only loses its second half there, which its ends show.',
-  '* certified, both roots, in TypeScript: of 4.8 to 5.2 the rough roots, which are a ' +
-    'textbook with a bound, take 1.5 to 1.8, the residuals at both roots 1.6 to 1.8, the ' +
-    'steps and their bounds 1.1 to 1.3, lists and blocks 0.2 to 0.4. These are 56, 116 and 52' +
-    ' operations; factors of 1.3 and 2.2 would be 53 and 90 in all. They were goals beside a ' +
-    "textbook that took 16 ns; by this file's history certified took 47 ns then, and takes 25" +
-    ' to 40 now.',
-  '* first of a batch by certified solves both roots and chooses; to solve the wanted one alone ' +
-    'was slower on random rays, whose branch waits for √D. exact solves the second root only ' +
-    'where the first is out of the range.',
-  '* certified in SIMD to textbook in TypeScript: textbook in SIMD is 0.42 to 0.53 of it, ' +
-    'so that a factor of 0.7 would be 1.3 to 1.7 of that; by the operations above, two rays ' +
-    'at once, it is 2.7.',
+  ...reasons,
   '',
   '## One ray at a time',
   '',

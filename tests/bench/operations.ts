@@ -1,19 +1,22 @@
 import type { Expr } from '../../scripts/kernels/certified/expression.ts';
-import { stageSources } from '../../scripts/kernels/certified/module.ts';
-import { loopOf } from '../../scripts/kernels/certified/source.ts';
+import { flowOf } from '../../scripts/kernels/certified/flow.ts';
+import { PASSES, stageSources } from '../../scripts/kernels/certified/module.ts';
+import { neededFor } from '../../scripts/kernels/certified/one-ray.ts';
+import { elementOf, loopOf } from '../../scripts/kernels/certified/source.ts';
+import { surfaces } from '../../scripts/kernels/trees/generate.ts';
 import type { Node } from '../../scripts/kernels/trees/graph.ts';
 import { asksOf, programOf } from '../../scripts/kernels/trees/program.ts';
 import { SYSTEMS } from '../../scripts/kernels/trees/recorders.ts';
-import { SHAPES } from '../../src/math/index.ts';
 import type { Method } from '../../src/math/shapes.ts';
 import { table } from './ladder-report.ts';
+import type { CurvedQuestion } from './trials.ts';
 
 /*
  * What a ray that hits a cone takes by each method: the operations of the program that both of its
  * kernels are made of, each value once, what is the same for all rays not counted.
  */
 
-const KINDS: readonly (readonly [string, readonly Node['op'][]])[] = [
+export const KINDS: readonly (readonly [string, readonly Node['op'][]])[] = [
   ['+ −', ['add', 'sub']],
   ['×', ['mul']],
   ['÷ √', ['div', 'sqrt']],
@@ -21,42 +24,41 @@ const KINDS: readonly (readonly [string, readonly Node['op'][]])[] = [
   ['comparisons', ['less', 'atMost', 'equal']],
 ];
 
-function cone() {
-  const definition = SHAPES.find(({ kind }) => kind === 'cone');
-  if (!definition) throw new RangeError('no cone');
-  const shape = Object.fromEntries([
-    ['kind', 'cone'],
-    ...definition.params.map(({ key, initial }) => [key, initial]),
-  ]) as never;
-  return { formula: definition.formula(shape), symbols: definition.values(shape) };
+/** The question of a method to a kind of curved shape; null for one without a program. */
+export function questionOf(method: Method, kind: string): CurvedQuestion | null {
+  const [surface] = surfaces([kind]);
+  if (surface?.formula.family !== 'curved') throw new RangeError(`${kind} is not curved`);
+  const { formula, symbols } = surface;
+  let question: CurvedQuestion | null = null;
+  method.parts?.(({ arithmetic: { id }, form, solver }) => {
+    const system = SYSTEMS[id];
+    if (system) question = { formula, symbols, system, form, solver };
+  });
+  return question;
 }
 
 /** How many of each kind; null for a method without such a program. */
-function countsOf(method: Method): readonly number[] | null {
-  let counts: readonly number[] | null = null;
-  method.parts?.(({ arithmetic: { id }, form, solver }) => {
-    const system = SYSTEMS[id];
-    if (!system) return;
-    const [ask] = asksOf(system);
-    const program = programOf({ ...cone(), system, form, solver }, ask ?? 'both');
-    const { outputs, rare, missed, rareRoots } = program;
-    const seen = new Set<Node>();
-    const walk = (n: Node): void => {
-      if (seen.has(n) || n.uniform) return;
-      seen.add(n);
-      n.args.forEach(walk);
-    };
-    for (const n of [...Object.values(outputs), rare, missed, rareRoots]) if (n) walk(n);
-    counts = KINDS.map(([, ops]) => [...seen].filter(({ op }) => ops.includes(op)).length);
-  });
-  return counts;
+export function countsOf(method: Method, kind: string): readonly number[] | null {
+  const question = questionOf(method, kind);
+  if (!question) return null;
+  const [ask] = asksOf(question.system);
+  const { outputs, rare, missed, rareRoots } = programOf(question, ask ?? 'both');
+  const seen = new Set<Node>();
+  const walk = (n: Node): void => {
+    if (seen.has(n) || n.uniform) return;
+    seen.add(n);
+    n.args.forEach(walk);
+  };
+  for (const n of [...Object.values(outputs), rare, missed, rareRoots]) if (n) walk(n);
+  return KINDS.map(([, ops]) => [...seen].filter(({ op }) => ops.includes(op)).length);
 }
+
+const PASS_NAMES = ['coarseInSpace', 'residualsInSpace', 'solvePass'] as const;
 
 /** Of the three passes that a ray goes through which certified's first stage settles. */
 function certifiedCounts(): readonly number[] {
   const { units } = stageSources();
-  const passes = ['coarseInSpace', 'residualsInSpace', 'solvePass'];
-  const formulas = passes.flatMap((pass) =>
+  const formulas = PASS_NAMES.flatMap((pass) =>
     loopOf(units, pass, true)
       // To which list a ray goes that is left open.
       .statements.filter(({ target }) => target !== 'beside' && target !== 'remote')
@@ -73,6 +75,25 @@ function certifiedCounts(): readonly number[] {
   return counts;
 }
 
+/**
+ * Operations of the three passes over a shape with a term in y: all, and those that the verdict and
+ * the near root need.
+ */
+export function operationsOfFirst(): { readonly all: number; readonly near: number } {
+  const { units } = stageSources();
+  const loops = PASS_NAMES.map((pass) => loopOf(units, pass, true));
+  const { steps, name } = flowOf(loops, PASSES);
+  const sizeOf = (formula: Expr): number =>
+    (SIGNS.some((ops) => ops.includes(formula.op)) ? 1 : 0) +
+    ('of' in formula ? sizeOf(formula.of) : 0) +
+    ('a' in formula ? sizeOf(formula.a) + sizeOf(formula.b) : 0);
+  const needed = (wanted: readonly string[]): number =>
+    neededFor(steps, wanted).reduce((sum, { formula }) => sum + sizeOf(formula), 0);
+  const verdict = [name('clear', 0), name('settled', 2)];
+  const [near, far] = ['t0', 't1'].map((array) => name(elementOf(array))) as [string, string];
+  return { all: needed([...verdict, near, far]), near: needed([...verdict, near]) };
+}
+
 /** In the order of KINDS. */
 const SIGNS: readonly (readonly Expr['op'][])[] = [
   ['+', '-'],
@@ -86,7 +107,7 @@ const SIGNS: readonly (readonly Expr['op'][])[] = [
 export function operationLines(methods: readonly Method[]): string[] {
   const sum = (counts: readonly number[]): number => counts.reduce((a, b) => a + b, 0);
   const found = methods.flatMap((method) => {
-    const counts = method.id === 'certified' ? certifiedCounts() : countsOf(method);
+    const counts = method.id === 'certified' ? certifiedCounts() : countsOf(method, 'cone');
     return counts ? [{ id: method.id, counts }] : [];
   });
   const base = sum(found.find(({ id }) => id === 'textbook')?.counts ?? []);

@@ -60,7 +60,7 @@ const numbersOf = (known: Numbers['known']): Numbers => ({
 });
 
 /** What the three passes over ordinary rays take their bounds from. */
-const PASSES = [
+export const PASSES = [
   numbersOf({ ROUGH_BOUNDS: named(AT_ROUGH, ROUGH_BOUNDS) }),
   numbersOf({}),
   numbersOf({ SOLVE_BOUNDS: named(AT_SOLVE, SOLVE_BOUNDS) }),

@@ -91,7 +91,7 @@ return HITS;
 }
 
 /** The steps that these values need, in their order. */
-function neededFor(steps: readonly Step[], values: readonly string[]): Step[] {
+export function neededFor(steps: readonly Step[], values: readonly string[]): Step[] {
   const wanted = new Set(values);
   const found: Step[] = [];
   for (const step of [...steps].reverse()) {

@@ -30,7 +30,7 @@ export interface Surface {
 }
 
 /** A shape of each kind; one whose trees depend on an axis stands for all: see turned.ts. */
-function surfaces(kinds: readonly string[]): Surface[] {
+export function surfaces(kinds: readonly string[]): Surface[] {
   return SHAPES.filter(({ kind }) => kinds.includes(kind)).map((definition) => {
     const shape = Object.fromEntries([
       ['kind', definition.kind],
@@ -117,28 +117,31 @@ interface Loops {
  * compiles the loops; nothing is made before a loop is asked for.
  */
 function typescript({ title, arithmetic, scratch, loops, kinds }: Loops): string {
-  const { count, handed } = scratch;
-  const text = loops.join('\n\n');
-  const constants = [
-    ...(text.includes('fround(') ? ['const { fround } = Math;'] : []),
-    ...(text.includes('ONE_OR_NAN') ? ['const ONE_OR_NAN = Float64Array.of(1, Number.NaN);'] : []),
-    ...(count > 0 ? [`const S = new Float64Array(${count});`] : []),
-    ...(handed > 0
-      ? [`const W = new Float64Array(${handed * BLOCK});`, `const H = new Int32Array(${BLOCK});`]
-      : []),
-  ];
   return [
     `${header(`The method ${title} over arrays, in ${arithmetic}.`)}
 import { lazily } from '../../lazily.ts';
 import type { Loop, LoopsByKind } from '../straight-loop.ts';`,
-    ['export const LOOPS = lazily((): LoopsByKind => {', ...constants].join('\n'),
-    wrapped(text).trimEnd(),
+    ['export const LOOPS = lazily((): LoopsByKind => {', ...arraysOf(scratch, loops)].join('\n'),
+    wrapped(loops.join('\n\n')).trimEnd(),
     `return {
 ${kinds.map(({ kind }) => `${keyOf(kind)}: ${loopsOf(kind, arithmetic)},`).join('\n')}
 };
 });
 `,
   ].join('\n\n');
+}
+
+/** What the loops read and write beside what they are given. */
+export function arraysOf({ count, handed }: Scratch, loops: readonly string[]): string[] {
+  const has = (name: string): boolean => loops.some((text) => text.includes(name));
+  return [
+    ...(has('fround(') ? ['const { fround } = Math;'] : []),
+    ...(has('ONE_OR_NAN') ? ['const ONE_OR_NAN = Float64Array.of(1, Number.NaN);'] : []),
+    ...(count > 0 ? [`const S = new Float64Array(${count});`] : []),
+    ...(handed > 0
+      ? [`const W = new Float64Array(${handed * BLOCK});`, `const H = new Int32Array(${BLOCK});`]
+      : []),
+  ];
 }
 
 const loopsOf = (kind: string, arithmetic: string): string =>

@@ -68,8 +68,12 @@ export type Ask = 'both' | 'classes' | 'either';
 
 export const asksOf = ({ box }: System): readonly Ask[] => (box ? ['either'] : ['both', 'classes']);
 
-export function programOf(question: Question, ask: Ask): Program {
-  const g = new Graph(question.system.format);
+/** In a graph of its own, unless more is to be made of the same values. */
+export function programOf(
+  question: Question,
+  ask: Ask,
+  g: Graph = new Graph(question.system.format),
+): Program {
   const r = question.system.make(g);
   const { formula } = question;
   return formula.family === 'curved'

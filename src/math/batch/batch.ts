@@ -68,7 +68,9 @@ export interface Kernel {
   /**
    * The smallest root in [tMin, tMax] (in lengths of d, either end may be infinite), as the method
    * rounds its roots, in t0, NaN if there is none; t1 becomes NaN. Lists 'contained' and
-   * 'undecided' (both with NaN); whether a root is a tangent's is not asked.
+   * 'undecided' (both with NaN); whether a root is a tangent's is not asked. Of a curved shape both
+   * roots are found, and the first is chosen; `exact`, for a shape with kernel numbers, finds the
+   * second only where the first is not in the range (docs/bench.md, "Why").
    */
   first(rays: Rays, tMin: number, tMax: number, out: Answers): void;
   /**

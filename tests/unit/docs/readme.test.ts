@@ -9,6 +9,7 @@ import { readAccuracy } from '../../../src/state/accuracy/settings.ts';
 import { readPicture } from '../../../src/state/picture/settings.ts';
 import { PAGES, type PageId, type Settings } from '../../../src/state/state.ts';
 import { decode } from '../../../src/state/url.ts';
+import { operationLines, operationsOfFirst } from '../../bench/operations.ts';
 import { DOCUMENTS, flowing, npmScripts, ROOT, read, SCRIPTS } from './documents.ts';
 
 const readme = read('README.md');
@@ -111,6 +112,14 @@ describe('the table of the ladder', () => {
     expect(METHODS.map(({ id }) => id).filter((id) => measuredMethods.includes(id))).toEqual(
       measuredMethods,
     );
+  });
+
+  test('in docs/bench.md has reasons, whose operations are those of the kernels', () => {
+    const [, why = ''] =
+      /<!-- reasons -->([\s\S]*?)<!-- \/reasons -->/.exec(read('docs/bench.md')) ?? [];
+    expect(why).toContain(operationLines(METHODS).join('\n'));
+    const { all, near } = operationsOfFirst();
+    expect(why).toContain(`takes ${near} of the ${all} operations of the first stage`);
   });
 
   test('in docs/bench.md is followed by every family and, for each, the same methods', () => {
