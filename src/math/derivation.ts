@@ -32,6 +32,7 @@ export interface DerivationStep {
  *
  * @param shape its present parameters decide which trees it has.
  * @returns a whole number.
+ * @see NUMERICS.md, section 1
  * @example
  * walkLength({ kind: 'plane', normal: [1, 0, 0], point: [0, 0, 0] }); // → 4
  */

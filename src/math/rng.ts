@@ -32,6 +32,7 @@ export function seeded(seed: number): Random {
  * @param random where chance comes from.
  * @param low and `high` have one unit; low < high.
  * @returns in the unit of `low` and `high`.
+ * @see NUMERICS.md, section 6
  * @example
  * const x = uniform(seeded(7), 2, 3);
  * x >= 2 && x < 3; // → true
@@ -45,6 +46,7 @@ export const uniform = (random: Random, low: number, high: number): number =>
  * @param random where chance comes from.
  * @param low and `high` are whole numbers; low ≤ high.
  * @returns a whole number.
+ * @see NUMERICS.md, section 6
  * @example
  * const faces = Array.from({ length: 50 }, ((random) => () => integer(random, 1, 6))(seeded(7)));
  * [Math.min(...faces), Math.max(...faces)]; // → [1, 6]
@@ -57,6 +59,7 @@ export const integer = (random: Random, low: number, high: number): number =>
  *
  * @param random where chance comes from.
  * @returns no unit: −1 or 1.
+ * @see NUMERICS.md, section 6
  * @example
  * Math.abs(randomSign(seeded(7))); // → 1
  */
@@ -81,6 +84,7 @@ export function pick<T>(random: Random, from: readonly [T, ...T[]]): T {
  * @param random where chance comes from.
  * @param low and `high` are exponents of two: whole numbers from −1074 to 1023, low ≤ high.
  * @returns no unit; any finite double of the range.
+ * @see NUMERICS.md, section 6
  * @example
  * const x = Math.abs(wide(seeded(7), 3, 3));
  * x >= 8 && x < 16; // → true

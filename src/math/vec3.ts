@@ -26,6 +26,7 @@ export const AXES: readonly Axis[] = ['x', 'y', 'z'];
  * @param index a whole number: 0, 1 or 2.
  * @param x in the unit of v.
  * @returns in the unit of v.
+ * @see NUMERICS.md, section 1
  * @example
  * withComponent([1, 2, 3], 1, 9); // → [1, 9, 3]
  */

@@ -170,6 +170,7 @@ export function squaredNorm<T>(a: Triple<T>, ar: Arithmetic<T>): T {
  * @param exprs trees, of x, y and z, of one unit.
  * @param ar as for `evaluate`, and so are the values.
  * @returns in the unit of the trees.
+ * @see NUMERICS.md, section 1
  * @throws as `evaluate` does.
  * @example
  * const values = { scalars: { t: 2 }, vectors: { E: [4, 1, 0], d: [-1, 0, 0.5] } } as const;
@@ -189,6 +190,7 @@ export function evaluateTriple<T>(
  *
  * @param f asked for x, y and z in turn; all of one unit.
  * @returns what f says, in its unit.
+ * @see NUMERICS.md, section 1
  * @example
  * alongAxes((axis) => axis.toUpperCase()); // → ['X', 'Y', 'Z']
  */

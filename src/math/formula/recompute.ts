@@ -55,6 +55,7 @@ export function reproduces(
  * @param values doubles by symbol, in the units of the formula.
  * @param written how the line stands there; `branch` is the sign taken at ±.
  * @returns in the unit of the line.
+ * @see NUMERICS.md, section 7
  * @example
  * const half = over(scalar('a'), num(2));
  * recomputed(half, { scalars: { a: 1.25 }, vectors: {} }, { worked: false, digits: 2 });
@@ -145,6 +146,7 @@ function workedOut(expr: Expr, values: Values<number>, scalars: Record<string, n
  * @param x a finite double, of any unit.
  * @param digits significant digits, a whole number from 1 on.
  * @returns in the unit of x.
+ * @see NUMERICS.md, section 7
  * @throws RangeError where x is not finite.
  * @example
  * asPrinted(0.1, 6); // → { n: 1n, d: 1n, e: -1 }

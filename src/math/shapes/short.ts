@@ -6,6 +6,7 @@ import type { Vec3 } from '../vec3.ts';
  * @param x any double, of any unit.
  * @param bits from 1 to 53.
  * @returns in the unit of x.
+ * @see NUMERICS.md, section 7
  * @example
  * [short(0.3, 2), short(100, 3)]; // → [0.25, 96]
  */

@@ -3,6 +3,7 @@
  *
  * @param x above 0, in any unit.
  * @returns in the unit of x.
+ * @see NUMERICS.md, section 7
  * @example
  * [0.3, 7, 12].map(roundStep); // → [0.2, 5, 10]
  */
@@ -19,6 +20,7 @@ export function roundStep(x: number): number {
  *
  * @param from and `to` and `step` have one unit; step > 0.
  * @returns in the unit of `step`, ascending.
+ * @see NUMERICS.md, section 7
  * @example
  * multiplesWithin(0, 1, 0.25); // → [0.25, 0.5, 0.75]
  */

@@ -122,12 +122,6 @@ const ANSWERS =
 /** A unit, that there is none, a range, or the function whose words hold for it too. */
 const UNIT = /\bunits?\b|\blengths of d\b|\bwhole number\b|\bfrom \d|[<≤≥]|as for `/;
 
-/** Results that are counted, chosen or put together, with no formula to have a source. */
-const WITHOUT_FORMULA: readonly string[] = [
-  ...['alongAxes', 'evaluateTriple', 'withComponent', 'walkLength', 'asPrinted', 'recomputed'],
-  ...['multiplesWithin', 'roundStep', 'short', 'uniform', 'integer', 'randomSign', 'wide'],
-];
-
 /** Where a formula comes from: a section of NUMERICS.md, or an entry of its list of sources. */
 const NUMERICS = read('docs/NUMERICS.md');
 const SOURCES = flowing(section(NUMERICS, '## Sources')).split(/[;.] (?=[A-Z])/);
@@ -211,12 +205,10 @@ describe.each(DOORS)('%s', (door) => {
     expect(untold).toEqual([]);
   });
 
-  test('and where its formula comes from, where it computes numbers', () => {
+  test('and where its formula comes from, where the result is numbers', () => {
     const untold = functions.filter(
-      ({ text, name, signature: { result } }) =>
-        !WITHOUT_FORMULA.includes(name) &&
-        (NUMBERS.test(result) || ANSWERS.test(result)) &&
-        !tagsIn(text, 'see').some(isSource),
+      ({ text, signature: { result } }) =>
+        (NUMBERS.test(result) || ANSWERS.test(result)) && !tagsIn(text, 'see').some(isSource),
     );
     expect(untold.map(({ name }) => name)).toEqual([]);
   });
@@ -231,10 +223,6 @@ describe.each(DOORS)('%s', (door) => {
   test.each(works.map(({ name }) => name))('the example of %s', async (name) => {
     await runExample(exampleOf(name), names);
   });
-});
-
-test('what has no formula to have a source is still exported', () => {
-  expect(WITHOUT_FORMULA.filter((name) => !(name in names))).toEqual([]);
 });
 
 test('functions that refuse something are found', () => {
