@@ -8,7 +8,7 @@ const BRIEF = [
   ['fuzz:page', '--actions', '10', '--seed', '7'],
   ['shots', 'cone-tangent'],
   ['cases', '--family', 'vertex', '--count', '3', '--out', 'test-results/cases.json'],
-  ['bench', 'page'],
+  ['bench', 'page', '--scenes', 'plain', '--seconds', '1.5'],
   ['bench', 'ladder', '--families', 'typical', '--rounds', '1', '--rays', '4096'],
 ];
 const PATIENCE_MS = 60_000;

@@ -1,6 +1,7 @@
 // What the page costs: the size of each built chunk, the script time of one slider step in a real
 // browser, pictures a second while a hand turns the camera of Picture, and how long after a scene
-// was opened its picture has stairs.
+// was opened its picture has stairs. `--scenes plain,mirror --seconds 2` for fewer and a shorter
+// drag, of the first of them.
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { chromium, type Page } from '@playwright/test';
@@ -11,7 +12,16 @@ import { serveSite } from '../serve-site.ts';
 
 const SITE = 'dist/site';
 const STEPS = 60;
-const DRAG_MS = 6000;
+const option = (name: string): string | undefined => {
+  const at = process.argv.indexOf(`--${name}`);
+  return at < 0 ? undefined : process.argv[at + 1];
+};
+const scenes = option('scenes')?.split(',') ?? PRESETS.map(({ id }) => id);
+const unknown = scenes.filter((one) => !PRESETS.some(({ id }) => id === one));
+if (unknown.length > 0) throw new RangeError(`no scene ${unknown}`);
+const dragged = scenes.includes('everything') ? 'everything' : (scenes[0] ?? '');
+const DRAG_MS = 1000 * Number(option('seconds') ?? 6);
+if (!(DRAG_MS > 1000)) throw new RangeError(`--seconds must be above 1, got ${option('seconds')}`);
 const site = await serveSite();
 sizes();
 const browser = await launch();
@@ -95,7 +105,7 @@ async function cameraDrag(target: Page, url: string): Promise<void> {
     } as typeof put;
     Object.assign(globalThis, { painted });
   });
-  await target.goto(`${url}#/picture?scene=everything`);
+  await target.goto(`${url}#/picture?scene=${dragged}`);
   await target.locator('.picture[data-trace="finished"]').waitFor({ timeout: 600_000 });
   const box = await target.locator('.picture-frame').boundingBox();
   if (!box) throw new Error('no picture');
@@ -116,7 +126,7 @@ async function cameraDrag(target: Page, url: string): Promise<void> {
   const rate = (1000 * steady.length) / (DRAG_MS - 1000);
   const sizes = [...new Set(steady.map(([, of]) => of))].join(', ');
   console.log(
-    '\n| turning the camera of everything, 752 × 424 | pictures a second | sizes | ledger |\n' +
+    `\n| turning the camera of ${dragged}, 752 × 424 | pictures a second | sizes | ledger |\n` +
       `|---|---:|---|---|\n| ${DRAG_MS / 1000} s | ${rate.toFixed(1)} | ${sizes} | ${says} |`,
   );
 }
@@ -127,7 +137,7 @@ async function stairs(url: string): Promise<void> {
     '\n| scene, 752 × 424 | its picture stands after ms | pixels that differ by more than ' +
       `${EDGES[0]} levels from one beside them have ${EDGE_RAYS} rays after ms |\n|---|---:|---:|`,
   );
-  for (const { id } of PRESETS) {
+  for (const id of scenes) {
     const context = await browser.newContext({ viewport: { width: 1280, height: 720 } });
     const target = await context.newPage();
     await target.addInitScript(() => {
