@@ -8,7 +8,7 @@ import { expect, visit as test } from './support/test.ts';
 
 test.describe.configure({ mode: 'default' });
 
-test.use({ viewport: { width: 1280, height: 900 } });
+test.use({ viewport: { width: 1280, height: 900 }, isolated: true });
 
 /** A cone that is nearly grazed from afar. */
 const RAY = 'shape=cone&E=153,34,31.75&d=-.93,-.206,-.1901&V=0,3,0&c=0.5';

@@ -16,6 +16,7 @@ test.describe.configure({ mode: 'default' });
  */
 
 test.use({
+  isolated: true,
   viewport: { width: 1280, height: 800 },
   // The policy says on the console what it stopped.
   provoked: /Content.Security.Policy|ERR_FAILED|net::ERR|example\.com|blocked/i,
@@ -413,7 +414,7 @@ test('a run can be cancelled', async ({ page }) => {
   await page.getByRole('button', { name: 'Run', exact: true }).click();
   await expect(page.getByRole('progressbar')).toBeVisible();
   await page.getByRole('button', { name: 'Cancel' }).click();
-  expect(await told(page)).toContain('Cancelled.');
+  await expect(report(page)).toContainText('Cancelled.');
   await expect(page.locator('iframe')).toHaveCount(0);
   await expect(page.getByRole('button', { name: 'Run', exact: true })).toBeVisible();
 });

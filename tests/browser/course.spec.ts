@@ -152,9 +152,9 @@ for (const { system, script, api, learner, done, score, get } of VERSIONS) {
       const package_ = document.querySelector('iframe');
       if (package_) package_.src = 'about:blank';
     });
-    await expect
-      .poll(() => page.evaluate(() => sessionStorage.getItem('kept') ?? ''))
-      .not.toContain(state);
+    // Then all that the package had to say has been said.
+    await expect.poll(() => page.frames()[1]?.url()).toBe('about:blank');
+    expect(await page.evaluate(() => sessionStorage.getItem('kept'))).not.toContain(state);
     await page.evaluate(() => localStorage.clear());
     await page.reload();
     await expect(frame.getByRole('heading', { name: 'Question 2 of 2' })).toBeVisible();

@@ -10,7 +10,7 @@ import { expect, test } from './support/test.ts';
  * Graze in other people's pages, which have another origin here: the site is 127.0.0.1, they are
  * localhost.
  */
-test.use({ provoked: /^request to http:\/\/localhost:/ });
+test.use({ isolated: true, provoked: /^request to http:\/\/localhost:/ });
 
 const LINK = '#/explore?shape=cone&E=3,1,1&d=-.8,-.2,-.3&lock=c&embed=scene,graph';
 /** What a host may forbid without harm: all but the frame and its own scripts. */

@@ -66,7 +66,7 @@ process.exitCode = failed > 0 ? 1 : 0;
 
 /** As a plain host serves it: no headers, in a folder. */
 async function tours(names: readonly BrowserName[]): Promise<void> {
-  const site = await serveSite({ folder: '/x/y/', isolated: false });
+  const site = await serveSite({ folder: '/x/y/', headers: {} });
   try {
     const own = await reference();
     const all = async (browser: Tourist): Promise<Seen> => ({

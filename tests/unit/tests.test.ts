@@ -19,6 +19,10 @@ test.each([
   ['is repeated until it passes', /\bretr(?:y|ies)\b\s*[:=(](?! 0\b)/],
   ['looks for words in the whole page, where the voice may say them too', /page\.getByText\(/],
   ['looks for words that go away by themselves: expectSaid', /'\.said'\)\)\.to/],
+  [
+    'changes for good the page that tests have one after another',
+    /\.(?:exposeFunction|exposeBinding|setOffline|setGeolocation|setExtraHTTPHeaders)\(/,
+  ],
   ['judges how long something took', /expect\([^;]*(?:performance|Date)\.now\(\)/],
 ])('none %s', (_, text) => {
   expect(withText(TESTS, text)).toEqual([]);

@@ -1,17 +1,24 @@
 import type { Locator, Page } from '@playwright/test';
 import { frames, timersDone } from './pending.ts';
-import { expect } from './test.ts';
+import { atEnd, expect } from './test.ts';
 
 export const SCENE_CHUNK = /\/scene-[^/]*\.js$/;
 /** The browser's own words when the scene is kept away. */
-export const NO_SCENE = /^Failed to load resource: net::ERR_FAILED$/;
+export const NO_SCENE = /^Failed to load resource: net::ERR_(?:FAILED|BLOCKED_BY_CLIENT)$/;
 
 /**
  * Leaves the picture out where it is not what a test is about: software rendering would take most
- * of its time.
+ * of its time. By the browser's own list and not by a route, with which it keeps no files.
  */
 export async function withoutScene(page: Page): Promise<void> {
-  await page.route(SCENE_CHUNK, (route) => route.abort());
+  if (page.context().browser()?.browserType().name() !== 'chromium') {
+    await page.route(SCENE_CHUNK, (route) => route.abort());
+    return;
+  }
+  const browser = await page.context().newCDPSession(page);
+  await browser.send('Network.enable');
+  await browser.send('Network.setBlockedURLs', { urls: ['*/assets/scene-*.js'] });
+  atEnd(page, () => browser.detach());
 }
 
 /** What went wrong, in words: below the header, and beside what was given. */
