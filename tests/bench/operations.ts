@@ -19,7 +19,8 @@ import type { CurvedQuestion } from './trials.ts';
 export const KINDS: readonly (readonly [string, readonly Node['op'][]])[] = [
   ['+ −', ['add', 'sub']],
   ['×', ['mul']],
-  ['÷ √', ['div', 'sqrt']],
+  ['÷', ['div']],
+  ['√', ['sqrt']],
   ['choices', ['select', 'keep', 'signed', 'unless', 'min', 'max']],
   ['comparisons', ['less', 'atMost', 'equal']],
 ];
@@ -37,12 +38,26 @@ export function questionOf(method: Method, kind: string): CurvedQuestion | null 
   return question;
 }
 
-/** How many of each kind; null for a method without such a program. */
-export function countsOf(method: Method, kind: string): readonly number[] | null {
+/** Of one ray. */
+interface Counts {
+  /** In the order of KINDS. */
+  readonly operations: readonly number[];
+  /** Most branches of a loop of TypeScript: what a condition is joined of is asked one by one. */
+  readonly branches: number;
+}
+
+const asked = (n: Node | null): number => {
+  if (n === null) return 0;
+  if (n.op !== 'and' && n.op !== 'or' && n.op !== 'not') return 1;
+  return n.args.reduce((sum, one) => sum + asked(one), 0);
+};
+
+/** Null for a method without such a program. */
+export function countsOf(method: Method, kind: string): Counts | null {
   const question = questionOf(method, kind);
   if (!question) return null;
   const [ask] = asksOf(question.system);
-  const { outputs, rare, missed, rareRoots } = programOf(question, ask ?? 'both');
+  const { outputs, rare, missed, rareRoots, inBlocks } = programOf(question, ask ?? 'both');
   const seen = new Set<Node>();
   const walk = (n: Node): void => {
     if (seen.has(n) || n.uniform) return;
@@ -50,13 +65,17 @@ export function countsOf(method: Method, kind: string): readonly number[] | null
     n.args.forEach(walk);
   };
   for (const n of [...Object.values(outputs), rare, missed, rareRoots]) if (n) walk(n);
-  return KINDS.map(([, ops]) => [...seen].filter(({ op }) => ops.includes(op)).length);
+  return {
+    operations: KINDS.map(([, ops]) => [...seen].filter(({ op }) => ops.includes(op)).length),
+    // The hits of a block are listed without one.
+    branches: asked(rare) + asked(rareRoots) + (inBlocks ? 0 : asked(missed)),
+  };
 }
 
 const PASS_NAMES = ['coarseInSpace', 'residualsInSpace', 'solvePass'] as const;
 
 /** Of the three passes that a ray goes through which certified's first stage settles. */
-function certifiedCounts(): readonly number[] {
+function certifiedCounts(): Counts {
   const { units } = stageSources();
   const formulas = PASS_NAMES.flatMap((pass) =>
     loopOf(units, pass, true)
@@ -72,7 +91,7 @@ function certifiedCounts(): readonly number[] {
     if ('a' in formula) [formula.a, formula.b].forEach(walk);
   };
   formulas.forEach(walk);
-  return counts;
+  return { operations: counts, branches: counts.at(-1) ?? 0 };
 }
 
 /**
@@ -98,21 +117,26 @@ export function operationsOfFirst(): { readonly all: number; readonly near: numb
 const SIGNS: readonly (readonly Expr['op'][])[] = [
   ['+', '-'],
   ['*'],
-  ['/', 'sqrt'],
+  ['/'],
+  ['sqrt'],
   ['min', 'max'],
   ['<', '>', '<=', '>='],
 ];
 
-/** A line for each method; the last cell is the sum's ratio to textbook's. */
+/** A line for each method; the last cell is the sum of its operations, a ratio to textbook's. */
 export function operationLines(methods: readonly Method[]): string[] {
   const sum = (counts: readonly number[]): number => counts.reduce((a, b) => a + b, 0);
   const found = methods.flatMap((method) => {
     const counts = method.id === 'certified' ? certifiedCounts() : countsOf(method, 'cone');
-    return counts ? [{ id: method.id, counts }] : [];
+    return counts ? [{ id: method.id, ...counts }] : [];
   });
-  const base = sum(found.find(({ id }) => id === 'textbook')?.counts ?? []);
+  const base = sum(found.find(({ id }) => id === 'textbook')?.operations ?? []);
   return table(
-    ['method', ...KINDS.map(([name]) => name), 'all, to textbook'],
-    found.map(({ id, counts }) => [id, ...counts.map(String), (sum(counts) / base).toPrecision(3)]),
+    ['method', ...KINDS.map(([name]) => name), 'branches', 'all but branches, to textbook'],
+    found.map(({ id, operations, branches }) => [
+      id,
+      ...[...operations, branches].map(String),
+      (sum(operations) / base).toPrecision(3),
+    ]),
   );
 }

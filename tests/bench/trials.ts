@@ -124,23 +124,42 @@ const RANGES = {
   64: { format: 2 ** -50, far: 2 ** 500 },
 } as const;
 
-/** `stable`, but q always of the same sign, and the roots in the order that they come in. */
-export function unordered(question: CurvedQuestion): Program {
+/** What is made of `stable`, and a program of other roots t and s with its rare cases. */
+function stableParts(question: CurvedQuestion) {
   const { g, r, program, A, C, D } = parted(question);
   const q = program.outputs.t0?.args[0]?.args[0];
   if (q?.op !== 'signed') throw new RangeError('stable no longer divides a signed q by A');
-  const positive = q.args[1] as Node;
-  const [t, s] = [g.div(positive, A as Node), g.div(C as Node, positive)];
+  const [a, c] = [A, C] as [Node, Node];
   const d = r.shown(D);
-  const size = g.add(g.abs(t), g.abs(s));
-  const rare = [
-    g.atMost(g.of(question.system.large), size),
-    g.atMost(size, g.of(0)),
-    g.isZero(d),
-    g.isZero(A as Node),
-    g.not(g.isFinite(d)),
-  ];
-  return { ...bare(g, t, s, rare), special: program.special };
+  const trial = (t: Node, s: Node, t0: Node, t1: Node): Program => {
+    const size = g.add(g.abs(t), g.abs(s));
+    const rare = [
+      g.atMost(g.of(question.system.large), size),
+      g.atMost(size, g.of(0)),
+      g.isZero(d),
+      g.isZero(a),
+      g.not(g.isFinite(d)),
+    ];
+    return { ...bare(g, t0, t1, rare), special: program.special };
+  };
+  return { g, q, a, c, trial };
+}
+
+/** `stable`, but q always of the same sign, and the roots in the order that they come in. */
+export function unordered(question: CurvedQuestion): Program {
+  const { g, q, a, c, trial } = stableParts(question);
+  const positive = q.args[1] as Node;
+  const [t, s] = [g.div(positive, a), g.div(c, positive)];
+  return trial(t, s, t, s);
+}
+
+/** `stable`, its roots put in order by products with 0 and 1: the sign of a zero is lost. */
+export function orderedByProducts(question: CurvedQuestion): Program {
+  const { g, q, a, c, trial } = stableParts(question);
+  const [t, s] = [g.div(q, a), g.div(c, q)];
+  const later = g.less(s, t);
+  const program = trial(t, s, g.select(later, s, t), g.select(later, t, s));
+  return { ...program, format: { ...g.format, strict: false } };
 }
 
 /** Reads the six arrays of a ray and writes two answers. */
@@ -161,7 +180,8 @@ export const PIECES = CHAINS * STEPS;
 export const STEP = {
   '+ −': (g: Graph, x: Node, k: Node): Node => g.add(x, k),
   '×': (g: Graph, x: Node): Node => g.mul(x, g.of(1.0625)),
-  '÷ √': (g: Graph, x: Node, k: Node): Node => g.div(k, x),
+  '÷': (g: Graph, x: Node, k: Node): Node => g.div(k, x),
+  '√': (g: Graph, x: Node): Node => g.sqrt(x),
   choices: (g: Graph, x: Node, k: Node): Node => g.signed(g.less(x, k), x),
 } as const;
 
@@ -172,7 +192,7 @@ export function steps({ system }: Question, piece: Piece): Program {
   const g = new Graph({ ...system.format, strict: true });
   const inputs = ['Ex', 'Ey', 'Ez', 'dx', 'dy', 'dz'].map(g.input);
   const ends = Array.from({ length: CHAINS }, (_, k) => {
-    let x = g.add(inputs[k % 6] as Node, g.of(k));
+    let x = g.add(g.abs(inputs[k % 6] as Node), g.of(k));
     for (let n = 0; n < STEPS; n++) x = STEP[piece](g, x, inputs[(k + n) % 6] as Node);
     return x;
   });

@@ -1,6 +1,6 @@
 import { NONE } from '../../../src/math/batch/batch.ts';
 import { ASK, CLASS_BIT } from '../../../src/math/batch/straight-loop.ts';
-import type { Format, Node } from './graph.ts';
+import { type Format, isPowerOfTwo, type Node } from './graph.ts';
 import { INPUTS, type Program } from './program.ts';
 
 /*
@@ -129,10 +129,12 @@ export function writer(
         return `${wrapped(of(1))} * ${bit(n.args[0] as Node, lines)}`;
       case 'signed': {
         const [m, y] = n.args as [Node, Node];
-        if (m.op === 'not') {
-          return `${wrapped(value(y, lines))} * (2 * ${bit(m.args[0] as Node, lines)} - 1)`;
-        }
-        return `${wrapped(of(1))} * (1 - 2 * ${bit(m, lines)})`;
+        const scale = scaleOf(y);
+        const x = wrapped(value(scale === 1 ? y : (y.args[0] as Node), lines));
+        const twice = 2 * scale === 1 ? '' : `${literal(2 * scale)} * `;
+        return m.op === 'not'
+          ? `${x} * (${twice}${bit(m.args[0] as Node, lines)} - ${literal(scale)})`
+          : `${x} * (${literal(scale)} - ${twice}${bit(m, lines)})`;
       }
       case 'unless':
         return `${wrapped(of(1))} * (ONE_OR_NAN[${bit(n.args[0] as Node, lines)}] as number)`;
@@ -163,6 +165,13 @@ export function writer(
       default:
         throw new RangeError(`no text for ${n.op}`);
     }
+  }
+
+  /** The power of two by which a value is multiplied that is wanted with a sign only; else 1. */
+  function scaleOf(n: Node): number {
+    const by = n.args[1];
+    const isOnce = n.op === 'mul' && (uses.get(n) ?? 0) < 2 && !names.has(n) && width === 64;
+    return isOnce && by?.op === 'constant' && isPowerOfTwo(by.value) ? by.value : 1;
   }
 
   const pairs = new Map<string, { at: number; later: string }>();
