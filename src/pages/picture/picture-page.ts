@@ -44,7 +44,7 @@ import './picture-page.css';
 
 /** The page, once it is known how its workers are started. */
 export async function loadPicture(): Promise<MountPage> {
-  const spawn = await loadTracer();
+  const spawn = await loadTracer(coresOf(navigator));
   return (host, context) => mountPicture(host, context, spawn);
 }
 
