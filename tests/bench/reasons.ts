@@ -323,9 +323,9 @@ export function reasonLines(reasons: Reasons, methods: readonly Method[]): strin
       ]),
     ),
     '',
-    `Both roots, of the shapes that were drawn, if each operation took that, one kind after the ` +
-      `other; and as they are measured. Where that is no longer, only fewer operations would make ` +
-      `it less.`,
+    `Both roots, of the shapes that were drawn, if each operation took that, one kind after ` +
+      `the other; and as they are measured. Where that is no longer, only fewer operations ` +
+      `would make it less.`,
     '',
     ...table(
       ['ns a ray', ...TARGETS.flatMap((t) => [`${NAMES[t]}: by its operations`, 'measured'])],
@@ -360,8 +360,8 @@ export function reasonLines(reasons: Reasons, methods: readonly Method[]): strin
       `${spread(ratio(idOf('textbook, both', 'simd'), idOf('textbook, both', 'typescript')))} of ` +
       `its time in TypeScript.`,
     '',
-    `\`first\` of a batch finds both roots and chooses; exact alone solves the second root only ` +
-      `where the first is out of the range. A loop that divides for one root has to know by ` +
+    `\`first\` of a batch finds both roots and chooses; exact alone solves the second root ` +
+      `only where the first is out of the range. A loop that divides for one root has to know by ` +
       `signs which, and its quotient waits for them. It is made of the same trees here, and ` +
       `compared with \`first\` to the bit; its time is a ratio to that of \`first\`, though it ` +
       `does not even ask whether the other root is in range. The stages of certified answer a ` +
