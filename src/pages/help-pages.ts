@@ -55,7 +55,7 @@ export const ABOUT: Readonly<Record<PageId, string>> = {
     'A few steps, each with something to see and something to find out. The numbers in the text ' +
     'are those of the scene beside it.',
   accuracy:
-    'How many digits each of eight methods gets right, what each digit costs, and where the lost ' +
+    'How many digits each method gets right, what each digit costs, and where the lost ' +
     'ones go.',
   picture:
     'A ray-traced picture of a scene, and the account of what it took. Every ray in it is ' +

@@ -22,7 +22,7 @@ export const laterRoot: Exercise = {
       ? { ...input, watch: ['b2-ac', 'over-a', 'lost-minus'] }
       : null;
   },
-  ask: () => 'Find the root that the ray comes to last.',
+  ask: () => 'Find the root that the line of the ray comes to last.',
   given: ['A', 'B', 'C'],
   fields: () => [numberField('t2', 't₂')],
   answers: (course, draft, own) => chosen(work(course, draft, own), ['t2']),

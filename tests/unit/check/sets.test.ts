@@ -227,6 +227,9 @@ describe('the balance of 1,000 seeded sets', () => {
   });
 });
 
+/** Words that say of the ray what may be true of its line alone. */
+const RAY_MEETS = /(?<!line of )the ray (first )?(meets|does|comes)/;
+
 describe('the line and the ray', () => {
   const all = [...EXERCISES, ...EARLIER];
 
@@ -238,7 +241,8 @@ describe('the line and the ray', () => {
       const words = one.ask(draft);
       const ts = fields.flatMap(({ id }) => (/^t\d?$/.test(id) ? [truth[id]] : []));
       const behind = ts.some((t) => typeof t === 'number' && t < 0);
-      if (behind) expect(words).not.toMatch(/(?<!line of )the ray (first )?(meets|does|comes)/);
+      const why = `${one.id}, seed ${seed}: t < 0 is on the line of the ray, not on the ray`;
+      if (behind) expect(words, why).not.toMatch(RAY_MEETS);
     }
   });
 });

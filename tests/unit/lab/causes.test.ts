@@ -9,6 +9,7 @@ import { METHODS } from '../../../src/math/methods/index.ts';
 import type { Ray } from '../../../src/math/ray.ts';
 import { seeded } from '../../../src/math/rng.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
+import { isFloat32 } from '../math/shorthand.ts';
 
 const { compare, fromNumber, sub, add, mul, div, sign } = surd;
 type Surd = surd.Surd;
@@ -74,7 +75,7 @@ function holds(step: StepLoss, cause: Cause, format: string): boolean {
   }
 }
 
-const formatOf = (id: string): string => (id === 'textbook32' ? 'float32' : 'float64');
+const formatOf = (id: string): string => (isFloat32(id) ? 'float32' : 'float64');
 
 /** Every cause that is named on a ray, by any method. */
 function check(shape: Shape, ray: Ray, seen: Map<string, number>): void {

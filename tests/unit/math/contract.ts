@@ -19,7 +19,7 @@ import {
   swapXZ,
   timesPower,
 } from './on-a-grid.ts';
-import { METHOD_IDS, ray } from './shorthand.ts';
+import { isFloat32, METHOD_IDS, ray } from './shorthand.ts';
 import {
   courseNormal,
   fAt,
@@ -246,7 +246,7 @@ export function contractOf(definition: ShapeDefinition<Shape>): void {
       test('d times a power of two: the same places, t divided by it', () => {
         for (const { shape, ray: r } of cases) {
           const found = intersect(shape, r, method);
-          for (const k of method === 'textbook32' ? [-20, 7, 20] : [-300, 7, 300]) {
+          for (const k of isFloat32(method) ? [-20, 7, 20] : [-300, 7, 300]) {
             const scaled = ray(r.origin, timesPower(r.direction, powerOfTwo(k)));
             const again = intersect(shape, scaled, method);
             expect({ shape, r, k, ...meaning(again) }).toEqual({

@@ -1,10 +1,17 @@
 import { coefficients, type Intersection, intersect, METHODS } from '../../../src/math/index.ts';
 import type { CurvedDetails, FlatDetails, PlaneHit } from '../../../src/math/intersection.ts';
+import type { Method } from '../../../src/math/methods/define.ts';
 import type { Ray } from '../../../src/math/ray.ts';
 import type { Shape } from '../../../src/math/shapes/index.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 
 export const METHOD_IDS: readonly string[] = METHODS.map(({ id }) => id);
+
+/** Whether a method computes in float32, whose range is small. */
+export const isFloat32 = (id: string): boolean =>
+  (METHODS as readonly Method[])
+    .find((method) => method.id === id)
+    ?.parts?.(({ arithmetic }) => arithmetic.id === 'float32') === true;
 
 /** R(t) = E + t d. */
 export const ray = (E: Vec3, d: Vec3): Ray => ({ origin: E, direction: d });

@@ -29,8 +29,9 @@ test('no effect is called for by every preset; one calls for all that are, one f
   const called = (preset: string): string[] =>
     cases.filter((one) => one.preset === preset && one.needed).map(({ id }) => id);
   const calls = cases.filter(({ needed }) => needed).map(({ id }) => id);
-  expect(new Set(called('everything.2'))).toEqual(new Set(calls));
-  expect(called('plain')).toEqual([]);
+  const most = PRESETS.map(({ id }) => called(id)).reduce((a, b) => (a.length < b.length ? b : a));
+  expect(new Set(most)).toEqual(new Set(calls));
+  expect(PRESETS.filter(({ id }) => called(id).length === 0)).not.toEqual([]);
 });
 
 describe.each(cases.filter(({ needed }) => !needed))('$preset needs no $id', ({ id, scene }) => {

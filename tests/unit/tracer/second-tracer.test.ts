@@ -12,6 +12,7 @@ test.each(PRESETS)(
     const first = [...rgba].filter((_, k) => k % 4 !== 3);
     const second = secondPicture(scene, SIZE.width, SIZE.height, Math.sqrt(SIZE.lightSamples));
     const apart = first.flatMap((x, k) => (x === second[k] ? [] : [[k, x, second[k]]]));
-    expect(apart).toEqual([]);
+    const why = `${apart.length} values differ: second-tracer.ts has to know each effect`;
+    expect(apart.slice(0, 5), why).toEqual([]);
   },
 );

@@ -10,6 +10,7 @@ import reference from '../../../../src/pages/accuracy/reference-prices.json';
 import { measureRequest } from '../../../../src/pages/accuracy/requests.ts';
 import { isEmulated } from '../../../../src/state/accuracy/column.ts';
 import { INITIAL_ACCURACY } from '../../../../src/state/accuracy/settings.ts';
+import { isFloat32, METHOD_IDS } from '../../math/shorthand.ts';
 
 const ticking = () => {
   let now = 0;
@@ -94,9 +95,10 @@ describe('the words', () => {
 
   test('name what is emulated in TypeScript, and what has no price in SIMD', () => {
     const emulated = METHODS.filter(({ id }) => isEmulated(id, 'typescript'));
-    expect(emulated.map(({ id }) => id)).toEqual(['textbook32']);
+    expect(emulated.map(({ id }) => id)).toEqual(METHOD_IDS.filter(isFloat32));
+    const titles = emulated.map(({ title }) => title).join(' and ');
     expect(words(columnOf(inTypeScript, last, reference)).details).toContain(
-      'Emulated here, so without a price of its own: textbook, float32.',
+      `Emulated here, so without a price of its own: ${titles}.`,
     );
     const rows = last.columns.typescript.map(({ roots, classes, ...row }) =>
       row.id === 'exact' ? row : { ...row, ...(roots && { roots }), ...(classes && { classes }) },
