@@ -286,7 +286,7 @@ function reasonsIn(
   return { times, byPieces, rays: total, sample, plan };
 }
 
-const nanoseconds = (x: number): string => (x >= 100 ? x.toFixed(0) : x.toPrecision(2));
+const nanoseconds = (x: number): string => (x >= 99.5 ? x.toFixed(0) : x.toPrecision(2));
 
 /** What docs/bench.md quotes. */
 export function reasonLines(reasons: Reasons, methods: readonly Method[]): string[] {
@@ -295,6 +295,8 @@ export function reasonLines(reasons: Reasons, methods: readonly Method[]): strin
   const each = (id: string): number => (1e6 * quartiles(times.get(id) ?? []).median) / rays;
   const inBoth = (of: (target: Target) => string): string =>
     `${of('simd')} in SIMD, ${of('typescript')} in TypeScript`;
+  const toTextbook = (what: string): string =>
+    inBoth((t) => spread(ratio(idOf(what, t), idOf('textbook, both', t))));
   const trees = methods.filter(({ id }) => byPieces.has(id));
   const firsts = methods.filter(({ id }) => times.has(idOf(`${id}, first`, 'simd')));
   const { all, near } = operationsOfFirst();
@@ -339,19 +341,19 @@ export function reasonLines(reasons: Reasons, methods: readonly Method[]): strin
     ),
     '',
     `* To read the six arrays of a ray and write two answers takes of textbook's time ` +
-      `${inBoth((t) => spread(ratio(idOf('float64, reading', t), idOf('textbook, both', t))))}; ` +
+      `${toTextbook('float64, reading')}; ` +
       `in float32, whose numbers are converted on their way in and out, since the arrays are of ` +
       `float64, ` +
-      `${inBoth((t) => spread(ratio(idOf('float32, reading', t), idOf('textbook, both', t))))}. ` +
+      `${toTextbook('float32, reading')}. ` +
       `textbook32 takes ${spread(
         ratio(idOf('textbook32, both', 'simd'), idOf('textbook, both', 'simd')),
       )} in SIMD.`,
     `* stable without the order of its roots and the sign of q takes of textbook's time ` +
-      `${inBoth((t) => spread(ratio(idOf('stable, unordered', t), idOf('textbook, both', t))))}; ` +
+      `${toTextbook('stable, unordered')}; ` +
       `with an order by products with 0 and 1, which loses the sign of a zero, ` +
-      `${inBoth((t) => spread(ratio(idOf('stable, by products', t), idOf('textbook, both', t))))}; ` +
+      `${toTextbook('stable, by products')}; ` +
       `as it is ` +
-      `${inBoth((t) => spread(ratio(idOf('stable, both', t), idOf('textbook, both', t))))}.`,
+      `${toTextbook('stable, both')}.`,
     `* certified, both roots, in TypeScript, ns a ray: the rough roots ${pass(0)}, the residuals ` +
       `at both ${pass(1)}, the steps and their bounds ${pass(2)}; all stages ` +
       `${nanoseconds(each(idOf('certified, both', 'typescript')))}, textbook ` +
