@@ -1,5 +1,6 @@
 import { SHAPES } from '../../src/math/index.ts';
 import { PRESETS } from '../../src/scene/presets/index.ts';
+import { PAGES } from '../../src/state/state.ts';
 import type { Tourist } from './webdriver.ts';
 
 /* Once over all pages, in any browser. What can be compared is given back under a name. */
@@ -107,7 +108,7 @@ export async function tour(browser: Tourist, url: string): Promise<Seen> {
   );
 
   // Not every window can be made as narrow as a phone; a frame can.
-  for (const page of ['explore', 'accuracy', 'check', 'picture']) {
+  for (const { id: page } of PAGES.filter((one) => !('part' in one))) {
     const hash = `#/${page}${page === 'picture' ? `?${PICTURE}` : ''}`;
     await browser.run((to) => {
       document.querySelector('#phone')?.remove();

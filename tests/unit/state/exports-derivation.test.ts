@@ -241,7 +241,7 @@ describe('MathML is well-formed XML', () => {
 
 test('the registry: every id once, every export a text for every case', { timeout: 60_000 }, () => {
   const ids = EXPORTS.map(({ id }) => id);
-  expect(ids).toEqual(['latex', 'mathml', 'typescript', 'python', 'glsl', 'vitest']);
+  expect([...new Set(ids)]).toEqual(ids);
   for (const c of EXPORT_CASES) {
     for (const { text, mime, extension } of EXPORTS) {
       expect(text(modelOf(c))).toMatch(/\S\n$/);
