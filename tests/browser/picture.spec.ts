@@ -10,7 +10,7 @@ import { showTheme } from './support/theme.ts';
 
 test.describe.configure({ mode: 'default' });
 
-const SMALL = 'size=96x54&method=certified';
+const SMALL = 'size=64x36&method=certified';
 
 /** Opens the page with these settings and waits until all that they ask for is traced. */
 async function openPicture(page: Page, settings: string): Promise<void> {
@@ -54,12 +54,12 @@ test('glass cone on a mirror: what it cost; without the mirror its rays are gone
   page,
 }) => {
   await openPicture(page, SMALL);
-  expect(await cell(page, 'camera', 'rays')).toBe(96 * 54);
-  expect(await cell(page, 'reflection', 'rays')).toBeGreaterThan(500);
-  expect(await cell(page, 'reflection', 'roots')).toBeGreaterThan(500);
+  expect(await cell(page, 'camera', 'rays')).toBe(64 * 36);
+  expect(await cell(page, 'reflection', 'rays')).toBeGreaterThan(200);
+  expect(await cell(page, 'reflection', 'roots')).toBeGreaterThan(200);
   const before = await cell(page, 'total', 'rays');
   // A plain picture of this size has some 300 characters.
-  expect((await pixels(page)).length).toBeGreaterThan(4000);
+  expect((await pixels(page)).length).toBeGreaterThan(2000);
 
   await page.getByRole('tab', { name: 'Scene' }).click();
   await page.getByRole('button', { name: 'remove mirror' }).click();
@@ -130,7 +130,7 @@ test('built up by one key, taken away by another; both ledgers of a comparison',
   await page.keyboard.press('n');
   await expect(built).toHaveAttribute('data-value', '0');
   await traced(page);
-  expect(await cell(page, 'total', 'rays')).toBe(96 * 54);
+  expect(await cell(page, 'total', 'rays')).toBe(64 * 36);
   await page.keyboard.press('n');
   await traced(page);
   await expect(row(page, 'shadow')).toHaveCount(1);
@@ -214,7 +214,7 @@ test('a pixel’s number is read from the map, by the pointer or by the cursor',
   await page.locator('.map-frame').scrollIntoViewIfNeeded();
   const box = await page.locator('.map-frame').boundingBox();
   if (!box) throw new Error('no map');
-  await page.mouse.move(box.x + (box.width * 48.5) / 96, box.y + (box.height * 25.5) / 54);
+  await page.mouse.move(box.x + (box.width * 32.5) / 64, box.y + (box.height * 17.5) / 36);
   const glass = Number(await value.getAttribute('data-value'));
   await page.mouse.move(box.x + 3, box.y + 3);
   await expect(page.locator('.map-pixel')).toContainText('pixel 0, 0');
@@ -222,7 +222,7 @@ test('a pixel’s number is read from the map, by the pointer or by the cursor',
   await page.mouse.move(0, 0);
   await page.getByRole('application').focus();
   await page.keyboard.press('ArrowRight');
-  await expect(page.locator('.map-pixel')).toContainText('pixel 49, 27');
+  await expect(page.locator('.map-pixel')).toContainText('pixel 33, 18');
   await page.getByRole('tab', { name: 'questions' }).press('ArrowRight');
   await expectInLink(page, { show: 'roots' });
   await expect(page.getByRole('tab', { name: 'roots' })).toBeFocused();
@@ -267,7 +267,7 @@ test('forced on, an effect costs rays and changes no bit; forced off, it changes
   await row(page, 'shadow').getByRole('button', { name: 'force off' }).click();
   await traced(page);
   await expect(idle(page, 'shadow')).toContainText('forced off; needed');
-  expect(await cell(page, 'shadow', 'pixels')).toBeGreaterThan(50);
+  expect(await cell(page, 'shadow', 'pixels')).toBeGreaterThan(20);
   expect(await pixels(page)).not.toBe(before);
   await expectInLink(page, { off: 'shadow', on: null });
 });
@@ -352,7 +352,7 @@ test('the divider is moved by keys and by the pointer; one drag is one step of u
 });
 
 test('a pixel’s rays: the list, the algebra, and the same ray in Explore', async ({ page }) => {
-  await openPicture(page, `${SMALL}&scene=cone-on-mirror&pixel=48,25`);
+  await openPicture(page, `${SMALL}&scene=cone-on-mirror&pixel=32,17`);
   const list = page.locator('.rays tbody tr');
   await expect(list.first()).toContainText('glass cone');
   expect(await list.count()).toBeGreaterThan(3);
@@ -400,23 +400,23 @@ test('a pixel’s rays: the list, the algebra, and the same ray in Explore', asy
   const started = page.locator('.started');
   await expect(started).toContainText('first hit');
   expect(await started.getAttribute('data-first')).toBe(t);
-  await started.getByRole('link', { name: 'back to pixel 48, 25' }).click();
-  await expect(page.getByRole('heading', { name: 'Pixel 48, 25' })).toBeVisible();
-  await expectInLink(page, { pixel: '48,25', scene: 'cone-on-mirror' });
+  await started.getByRole('link', { name: 'back to pixel 32, 17' }).click();
+  await expect(page.getByRole('heading', { name: 'Pixel 32, 17' })).toBeVisible();
+  await expectInLink(page, { pixel: '32,17', scene: 'cone-on-mirror' });
 });
 
 test('the picture is used by keys alone', async ({ page }) => {
   await openPicture(page, `${SMALL}&scene=mirror`);
-  const frame = page.getByRole('application', { name: /Picture, 96 by 54/ });
+  const frame = page.getByRole('application', { name: /Picture, 64 by 36/ });
   await frame.focus();
   await frame.press('ArrowRight');
   await frame.press('ArrowDown');
   await frame.press('Control+ArrowDown');
   await frame.press('Enter');
   await settle(page);
-  await expectInLink(page, { pixel: '49,38' });
-  await expect(page.getByRole('heading', { name: 'Pixel 49, 38' })).toBeVisible();
-  await expect(page.locator('.announcer')).toContainText('pixel 49, 38');
+  await expectInLink(page, { pixel: '33,29' });
+  await expect(page.getByRole('heading', { name: 'Pixel 33, 29' })).toBeVisible();
+  await expect(page.locator('.announcer')).toContainText('pixel 33, 29');
   await page.getByRole('button', { name: 'close' }).click();
   await expectInLink(page, { pixel: null });
   await page.getByRole('tab', { name: 'What this picture needed' }).press('ArrowRight');
@@ -430,7 +430,7 @@ fresh('a click chooses the pixel under it', async ({ page }) => {
   const frame = page.getByRole('application');
   const box = await frame.boundingBox();
   if (!box) throw new Error('no picture');
-  await frame.click({ position: { x: (box.width * 10.5) / 96, y: (box.height * 20.5) / 54 } });
+  await frame.click({ position: { x: (box.width * 10.5) / 64, y: (box.height * 20.5) / 36 } });
   await expectInLink(page, { pixel: '10,20' });
 });
 
@@ -675,8 +675,8 @@ test.describe('on a phone', () => {
   test.use({ viewport: { width: 390, height: 844 } });
   test('nothing sticks out to the side', async ({ page }) => {
     for (const settings of [
-      `${SMALL}&scene=everything&light=4&pixel=48,30`,
-      `${SMALL}&scene=self-intersection&against=start:none&pixel=30,30`,
+      `${SMALL}&scene=everything&light=4&pixel=32,20`,
+      `${SMALL}&scene=self-intersection&against=start:none&pixel=20,20`,
     ]) {
       await openPicture(page, settings);
       const width = await page.evaluate(() => document.scrollingElement?.scrollWidth);
@@ -715,7 +715,7 @@ test.describe('under a finger', () => {
 test('nothing sticks out to the side at any width', async ({ page }) => {
   await openPicture(
     page,
-    `${SMALL}&scene=everything&light=4&pixel=48,30&against=start:none&split=100`,
+    `${SMALL}&scene=everything&light=4&pixel=32,20&against=start:none&split=100`,
   );
   for (const width of [600, 768, 1000, 1024, 1100, 1920]) {
     await page.setViewportSize({ width, height: 800 });
@@ -749,7 +749,7 @@ fresh.describe('without WebGL', () => {
           : (get as never as (...all: unknown[]) => unknown).call(this, kind, ...rest);
       } as never;
     });
-    await openPicture(page, `${SMALL}&scene=mirror&pixel=48,30`);
+    await openPicture(page, `${SMALL}&scene=mirror&pixel=32,20`);
     await expect(page.locator('.rays tbody tr').first()).toBeVisible();
     await expect(async () => {
       const lines = await page.locator('.pixel-space .scene-paths path').count();
