@@ -1,5 +1,6 @@
 import { readFileSync } from 'node:fs';
 import type { Locator, Page } from '@playwright/test';
+import { byTurns } from '../unit/many.ts';
 import { hashOf, linkWritten, open, quantities, settle } from './support/page.ts';
 import { frames } from './support/pending.ts';
 import { drawn, still } from './support/scene.ts';
@@ -53,7 +54,7 @@ async function values(page: Page, names: readonly string[]): Promise<number[]> {
   return names.map((name) => Number(shown[name]));
 }
 
-for (const view of VIEWS) {
+for (const view of byTurns(VIEWS)) {
   test(`E and the tip of d follow the mouse in the view ${view}`, async ({ page }) => {
     await openScene(page, `${START}&view=${view}`);
     for (const [symbol, names] of [
@@ -251,16 +252,18 @@ test('d snaps to the directions of the axes', async ({ page }) => {
   await page.mouse.up();
 });
 
-for (const [kind, points, lengths] of [
+const OF_SHAPES = [
   ['plane', ['P'], []],
   ['cylinder', ['C'], ['r']],
   ['cone', ['V'], ['c']],
   ['hyperboloid', ['C'], ['a', 'r']],
   ['circle', ['C'], ['r']],
   ['square', ['P'], ['L']],
-] as const) {
+] as const;
+
+for (const [turn, [kind, points, lengths]] of OF_SHAPES.entries()) {
   test(`the handles of the ${kind} are dragged`, async ({ page }) => {
-    for (const view of ['iso', 'side']) {
+    for (const view of byTurns(['iso', 'side'], turn)) {
       for (const symbol of [...points, ...lengths]) {
         await open(page, `#/explore?shape=${kind}&view=${view}&method=exact`);
         await still(page);

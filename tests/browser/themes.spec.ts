@@ -1,6 +1,7 @@
 import type { Page } from '@playwright/test';
 import { SHAPES } from '../../src/math/index.ts';
 import { GALLERY } from '../../src/state/gallery/index.ts';
+import { byTurns } from '../unit/many.ts';
 import { collisions, cutOff, extent } from './support/layout.ts';
 import { NO_SCENE, open, settle, withoutScene } from './support/page.ts';
 import { expect, test } from './support/test.ts';
@@ -33,7 +34,7 @@ test('on the projector all is on one screen of any size, no text on another one'
     expect.soft(await collisions(page), name).toEqual([]);
     expect.soft(await cutOff(page), name).toEqual([]);
   };
-  for (const { id, link } of GALLERY) {
+  for (const { id, link } of byTurns(GALLERY)) {
     await open(page, link);
     // The longest headline: with its answer.
     await page.keyboard.press('a');
