@@ -21,7 +21,7 @@ import { leftBy } from './left.ts';
 import { objectPrices } from './objects.ts';
 import { besideOthers } from './others.ts';
 import { type Asked, type Form, pricesOf, TARGETS } from './prices.ts';
-import { REASONS_SAMPLE, reasonLines, reasonsOf } from './reasons.ts';
+import { reasonLines, reasonsOf, sampleOf } from './reasons.ts';
 import { referencePrices } from './reference.ts';
 
 /*
@@ -79,7 +79,7 @@ const onSurface = pricesOf(
 const objects = objectPrices(SEED, { ...PLAN, warmUp: 10 });
 const others = besideOthers(SEED, many, PLAN);
 const byTrees = METHODS.filter(({ id }) => id !== 'exact');
-const reasons = reasonLines(reasonsOf(find('typical'), REASONS_SAMPLE, byTrees, PLAN), byTrees);
+const reasons = reasonLines(reasonsOf(find('typical'), sampleOf(many), byTrees, PLAN), byTrees);
 
 function measured(family: Family): Measured {
   const sample = { seed: SEED, shapes: SHAPES, count: COUNT };

@@ -4,13 +4,13 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { FAMILIES, type Family } from '../../src/math/families.ts';
 import { METHODS } from '../../src/math/methods/index.ts';
 import { betweenMarks } from './ladder-report.ts';
-import { REASONS, REASONS_SAMPLE, reasonLines, reasonsOf } from './reasons.ts';
+import { REASONS, reasonLines, reasonsOf, sampleOf } from './reasons.ts';
 
 const PLAN = { rounds: 15, least: 4, steps: 100, warmUp: 2 };
 
 const methods = METHODS.filter(({ id }) => id !== 'exact');
 const typical = FAMILIES().find(({ id }) => id === 'typical') as Family;
-const lines = reasonLines(reasonsOf(typical, REASONS_SAMPLE, methods, PLAN), methods);
+const lines = reasonLines(reasonsOf(typical, sampleOf(), methods, PLAN), methods);
 console.log(lines.join('\n'));
 if (process.argv.includes('--write')) {
   const path = 'docs/bench.md';

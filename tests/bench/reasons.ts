@@ -56,7 +56,14 @@ import {
  * the same rays in the same run, in random order.
  */
 
-export const REASONS_SAMPLE: Sample = { seed: 2026, shapes: 6, count: 16_384 };
+const MANY = 16_384;
+
+/** A whole number of vectors of each format, at most MANY; where they are fewer, of one shape. */
+export const sampleOf = (rays = MANY): Sample => ({
+  seed: 2026,
+  shapes: rays < MANY ? 1 : 6,
+  count: 4 * Math.ceil(Math.min(rays, MANY) / 4),
+});
 
 export const REASONS = ['<!-- reasons -->', '<!-- /reasons -->'] as const;
 
@@ -306,7 +313,7 @@ export function reasonLines(reasons: Reasons, methods: readonly Method[]): strin
     REASONS[0],
     '',
     `Written by \`npm run bench -- reasons\`, and by the ladder: typical rays in random order, ` +
-      `${sample.shapes} shapes × ${sample.count}, processor time, medians and quartiles of ` +
+      `${sample.shapes} shapes × ${sample.count} rays, processor time, medians and quartiles of ` +
       `${plan.rounds} rounds. Operations are those of a ray that hits a cone, both roots, ` +
       `counted in the program that both kernels are made of; for certified in the three passes ` +
       `of its first stage. Branches are those of the loop in TypeScript at most; that in ` +
