@@ -20,7 +20,6 @@ import { END_PARAMS, endAction, endsRefusal } from './ends.ts';
 import type { Between } from './heights.ts';
 import type { Probe, Tangency, Value } from './snap.ts';
 import { paramValue, RAY_PARAMS } from './state.ts';
-import { plus } from './vectors.ts';
 
 interface HandleBase {
   readonly symbol: string;
@@ -81,7 +80,7 @@ export function handlesOf({ shape, E, d, unit, ray, drawing }: HandleInput): Han
     tangency: tangencyOf((value) => [shape, { origin: value as Vec3, direction }]),
   };
   const tip: PointHandle = {
-    ...pointOf(RAY_PARAMS.d, d, plus(origin, direction)),
+    ...pointOf(RAY_PARAMS.d, d, sum(origin, direction)),
     here: direction,
     origin,
     action: (value) => ({ type: 'direction', value: value as Edit<Vec3> }),
@@ -187,4 +186,8 @@ function tangencyOf(scene: (value: Value) => readonly [Shape, Ray]): Tangency {
       }
     },
   };
+}
+
+function sum(a: Vec3, b: Vec3): Vec3 {
+  return [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
 }

@@ -3,7 +3,6 @@ import { type Level, levelOf } from '../math/formula.ts';
 import type { Hit, Shape, Vec3 } from '../math/index.ts';
 import { AXES } from '../math/shapes.ts';
 import type { FigureLine } from './scene-model.ts';
-import { plus, scaled } from './vectors.ts';
 
 /*
  * The figure that explains N: near a hit, the level surfaces F = ±k, the tangent plane, and the
@@ -167,6 +166,8 @@ function stepTo({ A, B, C }: ReturnType<Level['along']>, value: number): number 
 const NOWHERE: Vec3 = [Number.NaN, Number.NaN, Number.NaN];
 
 const axisOf = (i: number): Vec3 => [i === 0 ? 1 : 0, i === 1 ? 1 : 0, i === 2 ? 1 : 0];
+const plus = (a: Vec3, b: Vec3): Vec3 => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
+const scaled = (v: Vec3, k: number): Vec3 => [k * v[0], k * v[1], k * v[2]];
 
 function unit(v: Vec3): Vec3 | null {
   const length = Math.hypot(...v);

@@ -2,7 +2,6 @@ import type { Vec3 } from '../../math/index.ts';
 import { changeLight, changeThing, moved, sum } from '../../scene/edit.ts';
 import { viewSize } from '../../scene/place.ts';
 import type { Light, Scene } from '../../scene/types.ts';
-import { dot, minus, plus } from '../vectors.ts';
 
 /*
  * Things and lights are dragged along the floor or along a wall: in the level plane through the
@@ -169,5 +168,11 @@ function movedLight(light: Light, by: Vec3, from: Light): Light {
   return to.every((x) => x === 0) ? light : { ...light, towards: to };
 }
 
-/** s a, without −0. */
+const plus = (a: Vec3, b: Vec3, s: number): Vec3 => [
+  a[0] + s * b[0],
+  a[1] + s * b[1],
+  a[2] + s * b[2],
+];
+const minus = (a: Vec3, b: Vec3): Vec3 => plus(a, b, -1);
 const times = (a: Vec3, s: number): Vec3 => [s * a[0] + 0, s * a[1] + 0, s * a[2] + 0];
+const dot = (a: Vec3, b: Vec3): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];

@@ -5,7 +5,6 @@ import { nameIn } from '../../scene/names.ts';
 import { surfacesOf } from '../../scene/surfaces.ts';
 import type { Light, Scene, Thing } from '../../scene/types.ts';
 import type { RayKind, RayNode } from '../../tracer/types.ts';
-import { minus, plus, scaled } from '../vectors.ts';
 
 /** A ray of the tree, clipped to the part of the world that the view in space shows. */
 export interface TreeLine {
@@ -171,6 +170,13 @@ const cut = (patch: Patch): Patch => ({
 
 const along = ({ origin, direction }: RayNode['ray'], t: number): Vec3 =>
   plus(origin, direction, t);
+const plus = (a: Vec3, b: Vec3, s: number): Vec3 => [
+  a[0] + s * b[0],
+  a[1] + s * b[1],
+  a[2] + s * b[2],
+];
+const minus = (a: Vec3, b: Vec3): Vec3 => plus(a, b, -1);
+const scaled = (a: Vec3, s: number): Vec3 => [s * a[0], s * a[1], s * a[2]];
 const pick = (f: (a: number, b: number) => number, a: Vec3, b: Vec3): Vec3 => [
   f(a[0], b[0]),
   f(a[1], b[1]),
