@@ -89,7 +89,7 @@ const signOf = (x: number): Sign => (x > 0 ? 1 : x < 0 ? -1 : 0);
  */
 export function exactEnding(ray: Ray, q: Quadric | null, line: () => ExactLine): Ending {
   return {
-    above: (k, y, height) => (y === height ? line().compareYAtRoot(k, height) : signOf(y - height)),
+    above: (k, y, height) => (y === height ? line().yVsHeight(k, height) : signOf(y - height)),
     atHeight(height) {
       const side = q ? capSide(q, ray, height) : 0;
       if (side > 0) return null;
@@ -97,7 +97,7 @@ export function exactEnding(ray: Ray, q: Quadric | null, line: () => ExactLine):
     },
     after: (k, t, height, s) => {
       const apart = Math.abs(t - s) > NEXT * Math.max(Math.abs(t), Math.abs(s)) + LEAST;
-      return apart ? signOf(t - s) : line().compareRootToHeight(k, height);
+      return apart ? signOf(t - s) : line().rootVsHeight(k, height);
     },
   };
 }

@@ -40,13 +40,13 @@ export interface ExactLine {
   /** As the method `exact` answers. */
   readonly answer: () => Intersection;
   /** The sign of root k − t, k counted from the least. */
-  readonly compareRoot: (k: number, t: number) => Sign;
+  readonly rootVsT: (k: number, t: number) => Sign;
   /** The sign of (root k) − (t where the line has this height). */
-  readonly compareRootToHeight: (k: number, height: number) => Sign;
+  readonly rootVsHeight: (k: number, height: number) => Sign;
   /** The sign of (t where the line has this height) − t. */
-  readonly compareHeight: (height: number, t: number) => Sign;
+  readonly heightVsT: (height: number, t: number) => Sign;
   /** The sign of y − height at root k. */
-  readonly compareYAtRoot: (k: number, height: number) => Sign;
+  readonly yVsHeight: (k: number, height: number) => Sign;
   /** Where y is `height`, correctly rounded; d may not be horizontal. */
   readonly atHeight: (height: number) => AtHeight;
   /** The signs of A and B of a curved shape. */
@@ -97,10 +97,10 @@ export function exactLine(entry: Entry, shape: unknown, ray: Ray): ExactLine {
         ? intersectCurved(formula, values, PARTS)
         : intersectFlat(formula, values, PARTS, () => values),
     ),
-    compareRoot: (k, t) => compare(root(k), fromNumber(t)),
-    compareRootToHeight: (k, height) => compare(root(k), timeOf(height)),
-    compareHeight: (height, t) => compare(timeOf(height), fromNumber(t)),
-    compareYAtRoot: (k, height) => compare(add(e[1], mul(root(k), d[1])), fromNumber(height)),
+    rootVsT: (k, t) => compare(root(k), fromNumber(t)),
+    rootVsHeight: (k, height) => compare(root(k), timeOf(height)),
+    heightVsT: (height, t) => compare(timeOf(height), fromNumber(t)),
+    yVsHeight: (k, height) => compare(add(e[1], mul(root(k), d[1])), fromNumber(height)),
     atHeight(height) {
       const t = timeOf(height);
       const x = add(e[0], mul(t, d[0]));

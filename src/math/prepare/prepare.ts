@@ -175,7 +175,7 @@ export function preparedBy<S extends { readonly kind: string }>(
   /** Faithful doubles are on the right side of another double, unless they are the same. */
   function isWithin({ t, fate, point }: FatedHit, k: number, whole: () => ExactLine): boolean {
     const beside = (x: number): Sign =>
-      fate === 'cap' ? whole().compareHeight(point[1], x) : whole().compareRoot(k, x);
+      fate === 'cap' ? whole().heightVsT(point[1], x) : whole().rootVsT(k, x);
     // A root is a number, though its double may be infinite.
     const none = tMin === Number.POSITIVE_INFINITY || tMax === Number.NEGATIVE_INFINITY;
     if (none || t < tMin || t > tMax) return false;
