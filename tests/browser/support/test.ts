@@ -84,9 +84,10 @@ class Visits {
   async arrive(fixed: Fixed, visit: string, begin: (kept: Kept) => Promise<void>): Promise<Kept> {
     const key = JSON.stringify(fixed);
     for (const [other, kept] of this.#kept) {
-      if (kept.visit !== '' && (other !== key || kept.visit !== visit)) {
-        if (!(await leave(kept))) this.#kept.delete(other);
-      }
+      if (other === key && kept.visit === visit) continue;
+      // Beside a second context the browser starts a process for each load.
+      if (other !== key) kept.isSpoiled = true;
+      if (!(await leave(kept))) this.#kept.delete(other);
     }
     const kept = this.#kept.get(key) ?? (await this.#open(fixed));
     this.#kept.set(key, kept);
