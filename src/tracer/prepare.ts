@@ -14,6 +14,9 @@ import type { PixelWork, RayTree, Tile, TileResult, TraceSettings } from './type
 export interface Tracer {
   /** The effects that run. */
   readonly parts: readonly Part[];
+  readonly engine: Engine;
+  /** The scene and all settings but those of the camera's rays: what the engine depends on. */
+  readonly key: string;
   trace(tile: Tile): TileResult;
   /** Records the rays of one pixel, traced by the same code as a picture. */
   record(x: number, y: number): RayTree;
@@ -22,12 +25,21 @@ export interface Tracer {
 /** Samples per wave: enough for fast kernels, few enough to stay in the cache. */
 const AT_ONCE = 4096;
 
-/** Loads the code of exactly the effects that run, and makes a tracer. `clock` in ms. */
+/**
+ * Loads the code of exactly the effects that run, and makes a tracer. `clock` in ms. It takes over
+ * the engine of the tracer `before` if only the rays of the camera differ: with another one the
+ * browser would compile the loops again, which takes as long as some passes.
+ */
 export async function prepareTracer(
   scene: Scene,
   settings: TraceSettings,
   clock: () => number,
+  before?: Tracer,
 ): Promise<Tracer> {
+  const shown = shownScene(scene, settings.forced);
+  if (before?.key === keyOf(shown, settings)) {
+    return tracerBy(before.engine, shown, settings, before.parts);
+  }
   const plan = planEffects(scene, settings.forced).filter(({ runs }) => runs);
   const parts = await Promise.all(
     plan.map(async ({ id, needed }): Promise<Part> => {
@@ -36,7 +48,7 @@ export async function prepareTracer(
       return { id, all: !needed, body: await effect.load() };
     }),
   );
-  return tracerOf(shownScene(scene, settings.forced), settings, parts, clock);
+  return tracerOf(shown, settings, parts, clock);
 }
 
 /** The tracer of loaded effects; `unseen` is the least linear light that is worth a ray. */
@@ -47,11 +59,26 @@ export function tracerOf(
   clock: () => number,
   unseen?: number,
 ): Tracer {
-  const engine = createEngine(scene, settings, parts, clock, unseen);
+  return tracerBy(createEngine(scene, settings, parts, clock, unseen), scene, settings, parts);
+}
+
+function keyOf(scene: Scene, settings: TraceSettings): string {
+  const { width, height, samples, part, film, ...others } = settings;
+  return JSON.stringify([scene, others], (_, x) => (Object.is(x, -0) ? '-0' : x));
+}
+
+function tracerBy(
+  engine: Engine,
+  scene: Scene,
+  settings: TraceSettings,
+  parts: readonly Part[],
+): Tracer {
   const { camera } = scene;
   const axes = cameraAxes(camera, settings.width / settings.height, mediumAt(scene, camera.eye));
   return {
     parts,
+    engine,
+    key: keyOf(scene, settings),
     trace: (tile) => traceTile(engine, axes, settings, tile),
     record(x, y) {
       const recorder = createRecorder(scene);

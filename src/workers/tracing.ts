@@ -22,7 +22,10 @@ self.addEventListener('message', ({ data }: MessageEvent<ToTraceWorker>) => {
 async function answer(asked: ToTraceWorker): Promise<void> {
   const { job } = asked;
   if (asked.type === 'scene') {
-    ready = living.then(() => prepareTracer(asked.scene, asked.settings, clock));
+    const before = ready.catch(() => undefined);
+    ready = living
+      .then(() => before)
+      .then((last) => prepareTracer(asked.scene, asked.settings, clock, last));
     const { parts } = await ready;
     post({ type: 'ready', job, effects: parts.map(({ id }) => id) });
     return;

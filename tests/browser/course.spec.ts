@@ -146,6 +146,8 @@ for (const { system, script, api, learner, done, score, get } of VERSIONS) {
     await expect(course).toContainText('not the questions of the course');
     await frame.getByRole('button', { name: 'Back to them' }).click();
     await frame.getByRole('button', { name: /^Question 2,/ }).click();
+    // Question 1 has boxes as well, until the next frame.
+    await expect(frame.getByRole('heading', { name: 'Question 2 of 2' })).toBeVisible();
     await frame.locator('.answer input').first().fill('half typed');
     // The page is left, and opened again by the same student.
     await page.evaluate(() => {

@@ -2,12 +2,13 @@ import { describe, expect, test } from 'vitest';
 import { coneOnMirror } from '../../../src/scene/presets/cone-on-mirror.ts';
 import { everything } from '../../../src/scene/presets/everything.ts';
 import { glass } from '../../../src/scene/presets/glass.ts';
+import { PRESETS } from '../../../src/scene/presets/index.ts';
 import { shadows } from '../../../src/scene/presets/shadows.ts';
 import { surfacesOf } from '../../../src/scene/surfaces.ts';
 import type { Scene } from '../../../src/scene/types.ts';
 import { level } from '../../../src/tracer/colour.ts';
 import { addLedgers, EMPTY_LEDGER, totalOf } from '../../../src/tracer/ledger.ts';
-import { tracerOf } from '../../../src/tracer/prepare.ts';
+import { prepareTracer, tracerOf } from '../../../src/tracer/prepare.ts';
 import { NOTHING, RAY_KINDS, type TileResult } from '../../../src/tracer/types.ts';
 import { HALF_A_LEVEL } from '../../../src/tracer/weight.ts';
 import { flatten, picture, TINY, tracerFor } from './tracing.ts';
@@ -80,6 +81,26 @@ describe('a ray tree is what the picture did', () => {
       }
       const mean = Array.from(sums, (x) => level(x / 16));
       expect(mean).toEqual([...all].filter((_, k) => k % 4 !== 3));
+    },
+  );
+
+  test.each(PRESETS.map(({ id, scene }) => ({ id, scene })))(
+    '$id: a tracer that takes over the engine of another one traces what a new one does',
+    async ({ scene }) => {
+      const whole = { y0: 0, y1: TINY.height, step: 1, refines: false };
+      const first = await tracerFor(scene);
+      first.trace(whole);
+      const pixels = new Uint8Array(TINY.width * TINY.height).fill(1);
+      const finer = { ...TINY, samples: 4, part: { samples: [2, 0], pixels } };
+      const taken = await prepareTracer(scene, finer, () => 0, first);
+      expect(taken.engine).toBe(first.engine);
+      expect(taken.trace(whole)).toEqual((await tracerFor(scene, finer)).trace(whole));
+      for (const change of [{ method: 'textbook' }, { bounces: 1 }, { lightSamples: 9 }]) {
+        const other = await prepareTracer(scene, { ...TINY, ...change }, () => 0, first);
+        expect(other.engine).not.toBe(first.engine);
+      }
+      const moved = { ...scene, ambient: scene.ambient / 2 };
+      expect((await prepareTracer(moved, TINY, () => 0, first)).engine).not.toBe(first.engine);
     },
   );
 
