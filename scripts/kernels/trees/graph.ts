@@ -104,7 +104,7 @@ export class Graph implements Floats<Node, Node> {
     return this.make('div', [a, b]);
   };
   neg = (a: Node): Node => (a.op === 'neg' ? (a.args[0] as Node) : this.make('neg', [a]));
-  abs = (a: Node): Node => (!this.format.strict && isNotNegative(a) ? a : this.make('abs', [a]));
+  abs = (a: Node): Node => this.make('abs', [a]);
   sqrt = (a: Node): Node => this.make('sqrt', [a]);
   min = (a: Node, b: Node): Node => (a === b ? a : this.make('min', [a, b]));
   max = (a: Node, b: Node): Node => (a === b ? a : this.make('max', [a, b]));
@@ -113,11 +113,8 @@ export class Graph implements Floats<Node, Node> {
   and = (a: Node, b: Node): Node => (a === b ? a : this.make('and', [a, b]));
   or = (a: Node, b: Node): Node => (a === b ? a : this.make('or', [a, b]));
   not = (a: Node): Node => (a.op === 'not' ? (a.args[0] as Node) : this.make('not', [a]));
-  select = (where: Node, then: Node, otherwise: Node): Node => {
-    if (then === otherwise) return then;
-    if (!this.format.strict && isZero(then)) return this.keep(this.not(where), otherwise);
-    return this.make('select', [where, then, otherwise]);
-  };
+  select = (where: Node, then: Node, otherwise: Node): Node =>
+    then === otherwise ? then : this.make('select', [where, then, otherwise]);
   keep = (where: Node, a: Node): Node => this.make('keep', [where, a]);
   /** −a where the condition holds, else a. */
   signed = (where: Node, a: Node): Node => this.make('signed', [where, a]);
@@ -179,12 +176,6 @@ export class Graph implements Floats<Node, Node> {
 
 const isConstant = (a: Node, x: number): boolean => a.op === 'constant' && a.value === x;
 const isZero = (a: Node): boolean => isConstant(a, 0);
-/** Whether a value is at least 0, or NaN, whatever its operands are. */
-const isNotNegative = ({ op, args, value }: Node): boolean =>
-  op === 'sqrt' ||
-  op === 'abs' ||
-  (op === 'mul' && args[0] === args[1]) ||
-  (op === 'constant' && value >= 0);
 /** x · by for a power of two above 1: exact, also where numbers are subnormal. */
 function doubled(a: Node): { readonly of: Node; readonly by: Node } | null {
   const [of, by] = a.args as [Node, Node];
