@@ -42,7 +42,7 @@ app.replaceChildren(header, main);
 
 let frame = 0;
 const store = createStore(decode(location.hash, INITIAL), watchGestures(document.body));
-let closerLook: ExploreDetails | null = null;
+let exploreDetails: ExploreDetails | null = null;
 let announcement: typeof import('./state/announce.ts').announcement | null = null;
 let exampleQuestion: ExploreTools['exampleQuestion'] = null;
 let normalLine: ExploreTools['normalLine'] = null;
@@ -50,7 +50,7 @@ let ends: ExploreTools['ends'] = null;
 let secondView: ExploreTools['secondView'] = null;
 let followExplore: ((state: AppState) => void) | null = null;
 let sonification: Sonification | null = null;
-const derive = createDerive(() => closerLook);
+const derive = createDerive(() => exploreDetails);
 const voice = lazy(() => import('./ui/announcer.ts')).then(({ createAnnouncer }) =>
   createAnnouncer(document.body),
 );
@@ -196,7 +196,7 @@ function theRest(): NonNullable<typeof rest> {
   rest = lazy(() => import('./pages/explore/after-first-frame.ts'));
   rest.then(
     (code) => {
-      ({ closerLook, announcement, followExplore, exampleQuestion, normalLine, ends } = code);
+      ({ exploreDetails, announcement, followExplore, exampleQuestion, normalLine, ends } = code);
       provideExamples(code.GALLERY);
       code.keepLines(store);
       player = code.createPlayer((t) => store.dispatch({ type: 'bead', t }), requestRender);

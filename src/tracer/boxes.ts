@@ -58,11 +58,8 @@ function costs(list: readonly Boxed[]): readonly number[] {
   let all = (list[0] as Boxed).box;
   return list.map(({ box }, k) => {
     all = around(all, box);
-    const [x, y, z] = [0, 1, 2].map((n) => (all.high[n] as number) - (all.low[n] as number)) as [
-      number,
-      number,
-      number,
-    ];
+    const { low, high } = all;
+    const [x, y, z] = [high[0] - low[0], high[1] - low[1], high[2] - low[2]];
     return (x * y + y * z + z * x) * (k + 1);
   });
 }
@@ -79,7 +76,7 @@ function around(a: Box, b: Box): Box {
 /** Rays in a bundle. */
 export const BUNDLE = 16;
 
-/** Least and largest of each component of E and of 1/d among a bundle's rays, for each bundle. */
+/** Least and largest of one component of E and of 1/d among a bundle's rays, for each bundle. */
 interface Range {
   readonly lowE: Float64Array;
   readonly highE: Float64Array;
@@ -91,9 +88,8 @@ interface Range {
 export interface Bundles {
   /** 1/d by component, for each ray. */
   readonly slopes: { readonly x: Float64Array; readonly y: Float64Array; readonly z: Float64Array };
-  readonly x: Range;
-  readonly y: Range;
-  readonly z: Range;
+  /** By component. */
+  readonly ranges: readonly [Range, Range, Range];
 }
 
 export function createBundles(capacity: number): Bundles {
@@ -106,17 +102,19 @@ export function createBundles(capacity: number): Bundles {
     highSlope: array(bundles),
   });
   const slopes = { x: array(capacity), y: array(capacity), z: array(capacity) };
-  return { slopes, x: range(), y: range(), z: range() };
+  return { slopes, ranges: [range(), range(), range()] };
 }
 
 /** Computes the bundles of rays 0 … count − 1, and returns their number. */
-export function bundle({ Ex, Ey, Ez, dx, dy, dz }: Rays, count: number, into: Bundles): number {
-  const { slopes, x, y, z } = into;
-  const bundles = Math.ceil(count / BUNDLE);
+export function bundle(
+  { Ex, Ey, Ez, dx, dy, dz }: Rays,
+  count: number,
+  { slopes, ranges: [x, y, z] }: Bundles,
+): number {
   rangeOf(Ex, dx, count, slopes.x, x);
   rangeOf(Ey, dy, count, slopes.y, y);
   rangeOf(Ez, dz, count, slopes.z, z);
-  return bundles;
+  return Math.ceil(count / BUNDLE);
 }
 
 function rangeOf(
@@ -163,7 +161,7 @@ const SLACK = 1 + 2 ** -50;
  */
 export function bundlesAtBox(
   { low, high }: Box,
-  { x, y, z }: Bundles,
+  { ranges: [x, y, z] }: Bundles,
   list: Int32Array,
   count: number,
   kept: Int32Array,
@@ -173,51 +171,40 @@ export function bundlesAtBox(
   let n = 0;
   for (let k = 0; k < count; k++) {
     const b = list[k] as number;
-    const enter = Math.max(0, nearest(x, b, lx, hx), nearest(y, b, ly, hy), nearest(z, b, lz, hz));
-    const leave = Math.min(farthest(x, b, lx, hx), farthest(y, b, ly, hy), farthest(z, b, lz, hz));
+    const enter = Math.max(
+      0,
+      bound(x, b, lx, hx, 1),
+      bound(y, b, ly, hy, 1),
+      bound(z, b, lz, hz, 1),
+    );
+    const leave = -Math.max(
+      bound(x, b, lx, hx, -1),
+      bound(y, b, ly, hy, -1),
+      bound(z, b, lz, hz, -1),
+    );
     kept[n] = b;
     n += enter > SLACK * leave ? 0 : 1;
   }
   return n;
 }
 
-/** No larger than t of any of the bundle's rays where it enters low ≤ x ≤ high. */
-function nearest(
+/**
+ * No larger than way·t of any of the bundle's rays where it enters low ≤ x ≤ high, for `way` 1, or
+ * leaves it, for −1: a ray leaves where one that runs backwards enters.
+ */
+function bound(
   { lowE, highE, lowSlope, highSlope }: Range,
   b: number,
   low: number,
   high: number,
+  way: 1 | -1,
 ): number {
-  const least = lowSlope[b] as number;
-  const most = highSlope[b] as number;
-  if (least > 0) {
-    const side = low - (highE[b] as number);
-    return side * (side < 0 ? most : least);
-  }
-  if (most < 0) {
-    const side = high - (lowE[b] as number);
-    return side * (side < 0 ? most : least);
-  }
-  return Number.NEGATIVE_INFINITY;
-}
-
-function farthest(
-  { lowE, highE, lowSlope, highSlope }: Range,
-  b: number,
-  low: number,
-  high: number,
-): number {
-  const least = lowSlope[b] as number;
-  const most = highSlope[b] as number;
-  if (least > 0) {
-    const side = high - (lowE[b] as number);
-    return side * (side < 0 ? least : most);
-  }
-  if (most < 0) {
-    const side = low - (highE[b] as number);
-    return side * (side < 0 ? least : most);
-  }
-  return Number.POSITIVE_INFINITY;
+  const forwards = way > 0;
+  const least = way * ((forwards ? lowSlope : highSlope)[b] as number);
+  const most = way * ((forwards ? highSlope : lowSlope)[b] as number);
+  if (!(least > 0 || most < 0)) return Number.NEGATIVE_INFINITY;
+  const side = least > 0 ? low - (highE[b] as number) : high - (lowE[b] as number);
+  return side * (side < 0 ? most : least);
 }
 
 /**

@@ -69,17 +69,16 @@ export function createCounts(
     },
     spent({ count, sample, asked, found }, kindOf) {
       for (let i = 0; i < count; i++) {
-        const questions = asked[i] as number;
-        const roots = found[i] as number;
-        if (questions > 0) {
-          const kind = kinds[kindOf(i)];
-          kind.questions += questions;
-          kind.roots += roots;
-        }
-        if (!work) continue;
         const at = sample[i] as number;
-        work.rays[at] = (work.rays[at] as number) + 1;
+        if (work) work.rays[at] = (work.rays[at] as number) + 1;
+        const questions = asked[i] as number;
+        // Rays that meet no box ask nothing.
         if (questions === 0) continue;
+        const roots = found[i] as number;
+        const kind = kinds[kindOf(i)];
+        kind.questions += questions;
+        kind.roots += roots;
+        if (!work) continue;
         work.questions[at] = (work.questions[at] as number) + questions;
         work.roots[at] = (work.roots[at] as number) + roots;
       }

@@ -28,7 +28,7 @@ const AT_ONCE = 4096;
 /**
  * Loads the code of exactly the effects that run, and makes a tracer. `clock` in ms. It takes over
  * the engine of the tracer `before` if only the rays of the camera differ: with another one the
- * browser would compile the loops again, which takes as long as some passes.
+ * browser compiles its loops anew.
  */
 export async function prepareTracer(
   scene: Scene,

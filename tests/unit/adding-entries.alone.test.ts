@@ -145,7 +145,7 @@ describe('a misconception', async () => {
 });
 
 describe('an example of the gallery', async () => {
-  const { exploreDetails: closerLook } = await import('../../src/state/explore-details.ts');
+  const { exploreDetails } = await import('../../src/state/explore-details.ts');
   const { createDerive } = await import('../../src/state/derive.ts');
   const { exampleOf, provideExamples, titleOf } = await import('../../src/state/example.ts');
   const { decode } = await import('../../src/state/url.ts');
@@ -158,7 +158,7 @@ describe('an example of the gallery', async () => {
       const shown = exampleOf(state);
       expect(shown).toEqual({ entry, number: GALLERY.length, of: GALLERY.length, changed: false });
       expect(shown && titleOf(shown)).toBe(entry.title);
-      expect(createDerive(() => closerLook)(state).found.class).toBe('two');
+      expect(createDerive(() => exploreDetails)(state).found.class).toBe('two');
       const claims = entry.told.flatMap(([, ...all]) => all);
       expect(claims.filter((claim) => !holds(claim, subjectOf(entry, state.method)))).toEqual([]);
     }

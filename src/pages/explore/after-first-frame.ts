@@ -6,7 +6,7 @@ import { lazy } from '../../ui/lazy.ts';
 export * as ends from '../../panels/ends.ts';
 export { normalLine } from '../../panels/normal-line.ts';
 export { announcement } from '../../state/announce.ts';
-export { exploreDetails as closerLook } from '../../state/explore-details.ts';
+export { exploreDetails } from '../../state/explore-details.ts';
 export { GALLERY } from '../../state/gallery/index.ts';
 export { followExplore, presentExplore } from '../lesson/projected-window.ts';
 export { createBeadPlayer as createPlayer } from './bead-player.ts';
