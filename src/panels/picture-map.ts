@@ -48,13 +48,16 @@ export function mapHead(
     )}</div>`;
 }
 
+/** In place of a map whose picture is not whole. */
+export const NOT_TRACED = 'not traced yet';
+
 /** The scale under the map, the number of a pixel on it, and one sentence. */
 export function mapScale(
   words: MapWords | null,
   pixel: readonly [number, number] | null,
   width: number,
 ): TemplateResult | typeof nothing {
-  if (!words) return html`<p class="map-pixel"></p>`;
+  if (!words) return html`<p class="map-pixel">${NOT_TRACED}</p>`;
   const at = pixel && pixel[1] * width + pixel[0];
   return words.show === 'errors'
     ? errorScale(words.comparison, pixel, at)

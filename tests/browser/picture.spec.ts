@@ -228,6 +228,22 @@ test('a pixel’s number is read from the map, by the pointer or by the cursor',
   await expect(page.getByRole('tab', { name: 'roots' })).toBeFocused();
 });
 
+fresh('before the first picture its map has the same place, and says so', async ({ page }) => {
+  const held: (() => Promise<void>)[] = [];
+  await page.route(/\/worker-[^/]*\.js$/, (route) => {
+    held.push(() => route.continue());
+  });
+  await page.goto(`./#/picture?${SMALL}&scene=plain`);
+  await expect(page.locator('.map-pixel')).toHaveText('not traced yet');
+  const place = async () => (await page.locator('.map-frame').boundingBox())?.height ?? 0;
+  const before = await place();
+  for (const go of held) await go();
+  await traced(page);
+  await expect(page.locator('.map-pixel')).not.toHaveText('not traced yet');
+  expect(before).toBeGreaterThan(100);
+  expect(Math.abs((await place()) - before)).toBeLessThan(1);
+});
+
 fresh('only what a scene needs is loaded', async ({ page }) => {
   const asked: string[] = [];
   page.context().on('request', (request) => asked.push(request.url()));

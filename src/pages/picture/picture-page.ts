@@ -241,6 +241,7 @@ function mountPicture(host: HTMLElement, context: PageContext, spawn: StartTrace
   const drawMap = ({ picture, main, comparison }: PictureModel): void => {
     pixelMap.render({
       frame: main?.state === 'finished' ? main.frame : null,
+      size: [picture.width, picture.height],
       comparing: picture.against !== null,
       comparison,
       show: picture.show === 'both' ? 'questions' : picture.show,

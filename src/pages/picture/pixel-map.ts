@@ -1,5 +1,11 @@
 import { render } from 'lit';
-import { type MapShow, type MapWords, mapHead, mapScale } from '../../panels/picture-map.ts';
+import {
+  type MapShow,
+  type MapWords,
+  mapHead,
+  mapScale,
+  NOT_TRACED,
+} from '../../panels/picture-map.ts';
 import { type Heat, heatOf } from '../../state/picture/heat.ts';
 import type { Comparison } from '../../tracer/compare.ts';
 import type { Frame } from '../../workers/trace-job.ts';
@@ -9,6 +15,8 @@ import { themeColours } from './theme-colours.ts';
 interface PixelMapModel {
   /** The finished picture; null while it is traced, when the map before stays. */
   readonly frame: Frame | null;
+  /** Width and height of the picture in pixels, by which the place of the first map is kept. */
+  readonly size: readonly [number, number];
   readonly comparing: boolean;
   readonly comparison: Comparison | null;
   readonly show: MapShow;
@@ -79,6 +87,7 @@ export function createPixelMap(host: HTMLElement, actions: PixelMapActions): Pix
     render(model) {
       const { frame: traced, pixel, comparing, theme } = model;
       const show = model.show === 'errors' && !comparing ? 'questions' : model.show;
+      if (!shown) size = model.size;
       const words = wordsOf({ ...model, show });
       if (traced && words) {
         size = [traced.width, traced.height];
@@ -117,8 +126,6 @@ export function createPixelMap(host: HTMLElement, actions: PixelMapActions): Pix
     },
   };
 }
-
-const NOT_TRACED = 'not traced yet';
 
 /** What a canvas was drawn from. */
 const sourceOf = new WeakMap<HTMLCanvasElement, object>();
